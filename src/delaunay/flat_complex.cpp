@@ -1,0 +1,180 @@
+#include "delaunay/flat_complex.h"
+
+#include "delaunay/circumcenter.h"
+
+#include <algorithm>
+#include <atomic>
+#include <numeric>
+
+namespace pcl {
+namespace manifold {
+
+namespace {
+
+using Cell = DelaunayComplex::Cell;
+
+bool
+isInfinite (const Cell& cell)
+{
+  return *std::min_element (cell.begin (), cell.end ()) == DelaunayComplex::INFINITE_VERTEX;
+}
+
+std::int32_t
+smallestFinite (const Cell& cell)
+{
+  std::int32_t smallest = INT32_MAX;
+  for (const std::int32_t vertex : cell)
+    if (vertex != DelaunayComplex::INFINITE_VERTEX)
+      smallest = std::min (smallest, vertex);
+  return smallest;
+}
+
+// Exclusive prefix sums of counts, one longer than them.
+std::vector<std::int32_t>
+offsetsOf (const std::vector<std::atomic<std::int32_t>>& counts)
+{
+  std::vector<std::int32_t> offsets (counts.size () + 1, 0);
+  for (std::size_t i = 0; i < counts.size (); ++i)
+    offsets[i + 1] = offsets[i] + counts[i].load (std::memory_order_relaxed);
+  return offsets;
+}
+
+// The even permutation of the positions of a cell that depends on its vertices and its orientation only: the
+// smallest vertex first, the smallest that can follow next, and an infinite vertex last.
+std::array<int, 4>
+canonicalPositions (const Cell& cell)
+{
+  static constexpr int FIRST[4][4] = {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}};
+  // As unsigned numbers the infinite vertex is the largest.
+  const auto key = [&cell] (int position) { return static_cast<std::uint32_t> (cell[position]); };
+  int smallest = 0;
+  for (int k = 1; k < 4; ++k)
+    if (key (k) < key (smallest))
+      smallest = k;
+  const int* p = FIRST[smallest];
+  std::array<int, 4> result{p[0], p[1], p[2], p[3]};
+  if (key (p[2]) < key (p[1]) && key (p[2]) < key (p[3]))
+    result = {p[0], p[2], p[3], p[1]};
+  else if (key (p[3]) < key (p[1]) && key (p[3]) < key (p[2]))
+    result = {p[0], p[3], p[1], p[2]};
+  if (cell[result[2]] == DelaunayComplex::INFINITE_VERTEX)
+    result = {result[1], result[0], result[3], result[2]};
+  return result;
+}
+
+// new_number[old] of every cell: finite cells first, each kind by its vertices.
+std::vector<std::int32_t>
+canonicalNumbers (const std::vector<Cell>& cells, std::int32_t samples)
+{
+  // Bucket 2 v: finite cells whose smallest vertex is v, and in the second half likewise the infinite ones.
+  std::vector<std::atomic<std::int32_t>> counts (2 * static_cast<std::size_t> (samples));
+  const auto bucketOf = [&] (const Cell& cell) {
+    return static_cast<std::size_t> (smallestFinite (cell)) +
+           (isInfinite (cell) ? static_cast<std::size_t> (samples) : 0);
+  };
+  parallelFor (cells.size (),
+               [&] (std::size_t i) { counts[bucketOf (cells[i])].fetch_add (1, std::memory_order_relaxed); });
+  const std::vector<std::int32_t> offsets = offsetsOf (counts);
+  std::vector<std::int32_t> order (cells.size ());
+  parallelFor (cells.size (), [&] (std::size_t i) {
+    const std::size_t bucket = bucketOf (cells[i]);
+    order[offsets[bucket] + counts[bucket].fetch_sub (1, std::memory_order_relaxed) - 1] =
+      static_cast<std::int32_t> (i);
+  });
+  std::vector<std::int32_t> new_number (cells.size ());
+  parallelFor (counts.size (), [&] (std::size_t bucket) {
+    const auto begin = order.begin () + offsets[bucket];
+    const auto end = order.begin () + offsets[bucket + 1];
+    std::sort (begin, end, [&] (std::int32_t a, std::int32_t b) { return cells[a] < cells[b]; });
+    for (auto i = begin; i != end; ++i)
+      new_number[*i] = static_cast<std::int32_t> (i - order.begin ());
+  });
+  return new_number;
+}
+
+void
+orderCells (FlatCells& flat, DelaunayComplex& complex)
+{
+  const std::size_t n = flat.vertices.size ();
+  parallelFor (n, [&] (std::size_t i) {
+    const std::array<int, 4> positions = canonicalPositions (flat.vertices[i]);
+    const Cell vertices = flat.vertices[i];
+    const Cell neighbors = flat.neighbors[i];
+    for (int k = 0; k < 4; ++k) {
+      flat.vertices[i][k] = vertices[positions[k]];
+      flat.neighbors[i][k] = neighbors[positions[k]];
+    }
+  });
+  const std::vector<std::int32_t> new_number = canonicalNumbers (flat.vertices, complex.samples->size ());
+  complex.cells.resize (n);
+  complex.neighbors.resize (n);
+  parallelFor (n, [&] (std::size_t i) {
+    complex.cells[new_number[i]] = flat.vertices[i];
+    for (int k = 0; k < 4; ++k)
+      complex.neighbors[new_number[i]][k] = new_number[flat.neighbors[i][k]];
+  });
+  const auto first_infinite = std::partition_point (complex.cells.begin (), complex.cells.end (),
+                                                    [] (const Cell& cell) { return !isInfinite (cell); });
+  complex.finite_cells = static_cast<std::int32_t> (first_infinite - complex.cells.begin ());
+}
+
+void
+computeCenters (DelaunayComplex& complex)
+{
+  const Eigen::Matrix3Xd& points = complex.samples->points;
+  complex.centers.resize (3, static_cast<Eigen::Index> (complex.cells.size ()));
+  parallelFor (complex.cells.size (), [&] (std::size_t i) {
+    const Cell& cell = complex.cells[i];
+    const Eigen::Vector3d a = points.col (cell[0]);
+    const Eigen::Vector3d b = points.col (cell[1]);
+    const Eigen::Vector3d c = points.col (cell[2]);
+    if (complex.isInfinite (static_cast<std::int32_t> (i)))
+      complex.centers.col (i) = unitNormal (a, b, c);
+    else
+      complex.centers.col (i) = circumcenter (a, b, c, points.col (cell[3]));
+  });
+}
+
+void
+collectIncidentCells (DelaunayComplex& complex)
+{
+  const auto samples = static_cast<std::size_t> (complex.samples->size ());
+  std::vector<std::atomic<std::int32_t>> counts (samples);
+  parallelFor (complex.cells.size (), [&] (std::size_t i) {
+    for (const std::int32_t vertex : complex.cells[i])
+      if (vertex != DelaunayComplex::INFINITE_VERTEX)
+        counts[vertex].fetch_add (1, std::memory_order_relaxed);
+  });
+  complex.incident_offsets = offsetsOf (counts);
+  complex.incident_cells.resize (complex.incident_offsets.back ());
+  parallelFor (complex.cells.size (), [&] (std::size_t i) {
+    for (const std::int32_t vertex : complex.cells[i])
+      if (vertex != DelaunayComplex::INFINITE_VERTEX) {
+        const std::int32_t position = counts[vertex].fetch_sub (1, std::memory_order_relaxed) - 1;
+        complex.incident_cells[complex.incident_offsets[vertex] + position] = static_cast<std::int32_t> (i);
+      }
+  });
+  parallelFor (samples, [&] (std::size_t v) {
+    std::sort (complex.incident_cells.begin () + complex.incident_offsets[v],
+               complex.incident_cells.begin () + complex.incident_offsets[v + 1]);
+  });
+}
+
+} // namespace
+
+std::shared_ptr<const DelaunayComplex>
+makeDelaunayComplex (const std::shared_ptr<const SampleSet>& samples, FlatCells flat)
+{
+  auto complex = std::make_shared<DelaunayComplex> ();
+  complex->samples = samples;
+  complex->affine_dimension = flat.affine_dimension;
+  complex->line = std::move (flat.line);
+  orderCells (flat, *complex);
+  flat = FlatCells ();
+  computeCenters (*complex);
+  collectIncidentCells (*complex);
+  return complex;
+}
+
+} // namespace manifold
+} // namespace pcl

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <pcl/manifold/detail/delaunay_complex.h>
+
+#include "common/parallel.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace pcl {
+namespace manifold {
+
+/** What a Delaunay engine has to give: cells in any order, with neighbour i opposite of vertex i and positive
+ * orientation (an infinite cell is positively oriented if its infinite vertex lies beyond its facet). */
+struct FlatCells
+{
+  int affine_dimension = 0;
+  std::vector<DelaunayComplex::Cell> vertices;
+  std::vector<DelaunayComplex::Cell> neighbors;
+  std::vector<std::int32_t> line;
+};
+
+/** Brings the cells into their canonical order and adds the circumcentres and the cells at each sample. */
+std::shared_ptr<const DelaunayComplex> makeDelaunayComplex (const std::shared_ptr<const SampleSet>& samples,
+                                                            FlatCells flat);
+
+} // namespace manifold
+} // namespace pcl

@@ -1,0 +1,168 @@
+#include <pcl/manifold/detail/sample_set.h>
+
+#include "common/parallel.h"
+#include "points/nearest_neighbors.h"
+#include "points/space_filling_order.h"
+#include "points/thinning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace pcl {
+namespace manifold {
+
+namespace {
+
+// Far from the origin: the centre of the bounding box is this many times farther away than the box is large.
+constexpr double FAR_FACTOR = 16.0;
+// Fewer steps of the coordinates' type between neighbours than this, and rounding decides the shape.
+constexpr double MIN_STEPS = 4.0;
+
+// Where the cloud is so far from the origin that the subtraction is exact, a point in its middle; else zero.
+Eigen::Vector3d
+chooseOrigin (const Eigen::Vector3d& low, const Eigen::Vector3d& high)
+{
+  const Eigen::Vector3d center = 0.5 * low + 0.5 * high;
+  const double extent = (high - low).maxCoeff ();
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero ();
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs (center[axis]) > FAR_FACTOR * extent)
+      // Rounded to float, so that a float coordinate of like size minus it is exact in double.
+      origin[axis] = static_cast<double> (static_cast<float> (center[axis]));
+  return origin;
+}
+
+// Median distance from a sample to its nearest neighbour, over at most a thousand samples spread evenly.
+double
+medianSpacing (const Eigen::Matrix3Xd& points)
+{
+  if (points.cols () < 2)
+    return std::numeric_limits<double>::infinity ();
+  const std::vector<std::int32_t> nearest = kNearestNeighbors (points, 1);
+  std::vector<double> distances;
+  const Eigen::Index step = std::max<Eigen::Index> (1, points.cols () / 1000);
+  for (Eigen::Index i = 0; i < points.cols (); i += step)
+    distances.push_back ((points.col (i) - points.col (nearest[i])).norm ());
+  std::nth_element (distances.begin (), distances.begin () + distances.size () / 2, distances.end ());
+  return distances[distances.size () / 2];
+}
+
+// Far away the steps of the type may be as large as the spacing. Only then is the spacing worth a search: by
+// the extent alone no cloud of n points could have more steps than that.
+bool
+isTooCoarse (const SampleSet& samples, double largest, double resolution)
+{
+  const double step = largest * resolution * samples.scale;
+  const double extent =
+    (samples.points.rowwise ().maxCoeff () - samples.points.rowwise ().minCoeff ()).maxCoeff ();
+  if (extent > step * 1e5)
+    return false;
+  return medianSpacing (samples.points) < MIN_STEPS * step;
+}
+
+// Removes the samples that were not kept, and gives the points that they stood for to the nearest kept one.
+void
+keepOnly (const std::vector<std::uint8_t>& kept, SampleSet& samples)
+{
+  const auto n = static_cast<std::size_t> (samples.size ());
+  const auto count = static_cast<std::size_t> (std::count (kept.begin (), kept.end (), 1));
+  if (count == n)
+    return;
+  Eigen::Matrix3Xd kept_points (3, count);
+  Eigen::Matrix3Xd dropped_points (3, n - count);
+  pcl::Indices kept_index (count);
+  std::vector<std::int32_t> new_sample (n);
+  std::vector<std::int32_t> dropped;
+  dropped.reserve (n - count);
+  std::int32_t next = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (kept[i]) {
+      kept_points.col (next) = samples.points.col (i);
+      kept_index[next] = samples.input_index[i];
+      new_sample[i] = next++;
+    } else {
+      dropped_points.col (dropped.size ()) = samples.points.col (i);
+      dropped.push_back (static_cast<std::int32_t> (i));
+    }
+  }
+  const std::vector<std::int32_t> nearest = nearestPoints (kept_points, dropped_points);
+  for (std::size_t i = 0; i < dropped.size (); ++i)
+    new_sample[dropped[i]] = nearest[i];
+  for (std::int32_t& sample : samples.sample_of)
+    if (sample >= 0)
+      sample = new_sample[sample];
+  samples.points = std::move (kept_points);
+  samples.input_index = std::move (kept_index);
+  samples.thinned += n - count;
+}
+
+} // namespace
+
+Status
+makeSampleSet (const Eigen::Matrix3Xd& points, const pcl::Indices& indices, const Thinning& thinning,
+               double resolution, SampleSet& samples)
+{
+  samples = SampleSet ();
+  if (thinning.k_search < 0 || !(thinning.spacing >= 0.0) || !std::isfinite (thinning.spacing))
+    return Status::PARAMETER_OUT_OF_RANGE;
+
+  std::vector<std::int32_t> finite;
+  finite.reserve (static_cast<std::size_t> (points.cols ()));
+  for (Eigen::Index i = 0; i < points.cols (); ++i)
+    if (points.col (i).allFinite ())
+      finite.push_back (static_cast<std::int32_t> (i));
+  if (finite.empty ())
+    return Status::NO_INPUT;
+
+  Eigen::Vector3d low = points.col (finite.front ());
+  Eigen::Vector3d high = low;
+  for (const std::int32_t i : finite) {
+    low = low.cwiseMin (points.col (i));
+    high = high.cwiseMax (points.col (i));
+  }
+  if (!(high - low).allFinite ())
+    return Status::INPUT_OUT_OF_RANGE;
+
+  SampleSet result;
+  result.non_finite = static_cast<std::size_t> (points.cols ()) - finite.size ();
+  result.origin = chooseOrigin (low, high);
+  const double extent = (high - low).maxCoeff ();
+  if (extent > 0.0)
+    result.scale = std::ldexp (1.0, std::clamp (-std::ilogb (extent), -1000, 1000));
+
+  Eigen::Matrix3Xd shifted (3, finite.size ());
+  parallelFor (finite.size (), [&] (std::size_t i) {
+    // Adding zero turns -0 into 0, so that equal coordinates are equal bit for bit.
+    shifted.col (i) =
+      ((points.col (finite[i]) - result.origin) * result.scale + Eigen::Vector3d::Zero ()).eval ();
+  });
+
+  const std::vector<std::int32_t> order = spaceFillingOrder (shifted);
+  result.sample_of.assign (static_cast<std::size_t> (points.cols ()), -1);
+  result.points.resize (3, finite.size ());
+  std::int32_t count = 0;
+  for (const std::int32_t i : order) {
+    if (count == 0 || result.points.col (count - 1) != shifted.col (i)) {
+      result.points.col (count++) = shifted.col (i);
+      result.input_index.push_back (indices.empty () ? finite[i] : indices[finite[i]]);
+    }
+    result.sample_of[finite[i]] = count - 1;
+  }
+  result.points.conservativeResize (3, count);
+  result.duplicates = finite.size () - static_cast<std::size_t> (count);
+
+  const double largest = std::max (low.cwiseAbs ().maxCoeff (), high.cwiseAbs ().maxCoeff ());
+  if (isTooCoarse (result, largest, resolution))
+    return Status::INPUT_TOO_COARSE;
+  if (thinning.spacing > 0.0)
+    keepOnly (thinBySpacing (result.points, thinning.spacing * result.scale), result);
+  if (thinning.k_search > 0)
+    keepOnly (thinByNeighbors (result.points, thinning.k_search), result);
+  samples = std::move (result);
+  return Status::OK;
+}
+
+} // namespace manifold
+} // namespace pcl

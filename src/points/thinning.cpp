@@ -1,0 +1,110 @@
+#include "points/thinning.h"
+
+#include "points/nearest_neighbors.h"
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_int_distribution.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <unordered_map>
+
+namespace pcl {
+namespace manifold {
+
+namespace {
+
+constexpr std::uint64_t ORDER_SEED = 20100817;
+
+// A Fisher-Yates shuffle with Boost's generator and distribution, which, unlike the standard library's, give
+// the same sequence everywhere.
+std::vector<std::int32_t>
+randomOrder (std::size_t n)
+{
+  boost::random::mt19937_64 generator (ORDER_SEED);
+  std::vector<std::int32_t> order (n);
+  for (std::size_t i = 0; i < n; ++i)
+    order[i] = static_cast<std::int32_t> (i);
+  for (std::size_t i = n; i > 1; --i)
+    std::swap (order[i - 1],
+               order[boost::random::uniform_int_distribution<std::size_t> (0, i - 1) (generator)]);
+  return order;
+}
+
+using Cell = std::array<std::int64_t, 3>;
+
+struct CellHash
+{
+  std::size_t operator() (const Cell& cell) const
+  {
+    std::uint64_t hash = 0;
+    for (const std::int64_t coordinate : cell) {
+      hash ^= static_cast<std::uint64_t> (coordinate) + 0x9e3779b97f4a7c15ULL + (hash << 6) + (hash >> 2);
+      hash *= 0xff51afd7ed558ccdULL;
+    }
+    return static_cast<std::size_t> (hash ^ hash >> 33);
+  }
+};
+
+} // namespace
+
+std::vector<std::uint8_t>
+thinByNeighbors (const Eigen::Matrix3Xd& points, int k)
+{
+  const auto n = static_cast<std::size_t> (points.cols ());
+  std::vector<std::uint8_t> kept (n, 0);
+  if (n == 0)
+    return kept;
+  k = static_cast<int> (std::min<std::size_t> (k, n - 1));
+  const std::vector<std::int32_t> neighbors = kNearestNeighbors (points, k);
+  std::vector<std::uint8_t> excluded (n, 0);
+  for (const std::int32_t point : randomOrder (n)) {
+    const std::int32_t* row = neighbors.data () + static_cast<std::size_t> (point) * k;
+    // A kept point has marked its own neighbours; that this point has a kept one among its own is seen here.
+    if (excluded[point] || std::any_of (row, row + k, [&kept] (std::int32_t q) { return kept[q] != 0; }))
+      continue;
+    kept[point] = 1;
+    std::for_each (row, row + k, [&excluded] (std::int32_t q) { excluded[q] = 1; });
+  }
+  return kept;
+}
+
+std::vector<std::uint8_t>
+thinBySpacing (const Eigen::Matrix3Xd& points, double spacing)
+{
+  const auto n = static_cast<std::size_t> (points.cols ());
+  std::vector<std::uint8_t> kept (n, 0);
+  // Cells are so small that each holds one kept point at the most, so far fewer look-ups find a free cell.
+  const double cell_size = spacing / std::sqrt (3.0) * (1.0 - 1e-12);
+  const double limit =
+    9e15; // beyond this a cell's number is no longer exact: such points are far apart anyway
+  const auto cellOf = [&] (std::int32_t point) {
+    Cell cell;
+    for (int axis = 0; axis < 3; ++axis)
+      cell[axis] =
+        static_cast<std::int64_t> (std::clamp (std::floor (points (axis, point) / cell_size), -limit, limit));
+    return cell;
+  };
+  std::unordered_map<Cell, std::int32_t, CellHash> grid;
+  for (const std::int32_t point : randomOrder (n)) {
+    const Cell cell = cellOf (point);
+    bool free = grid.find (cell) == grid.end ();
+    for (std::int64_t x = -2; free && x <= 2; ++x)
+      for (std::int64_t y = -2; free && y <= 2; ++y)
+        for (std::int64_t z = -2; free && z <= 2; ++z) {
+          const auto neighbor = grid.find ({cell[0] + x, cell[1] + y, cell[2] + z});
+          free = neighbor == grid.end () ||
+                 (points.col (neighbor->second) - points.col (point)).norm () >= spacing;
+        }
+    if (!free)
+      continue;
+    kept[point] = 1;
+    grid.emplace (cell, point);
+  }
+  return kept;
+}
+
+} // namespace manifold
+} // namespace pcl
