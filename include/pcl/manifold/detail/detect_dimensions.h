@@ -1,0 +1,43 @@
+#pragma once
+
+#include <pcl/manifold/detail/sample_dimensions.h>
+#include <pcl/manifold/detail/sample_set.h>
+#include <pcl/manifold/detail/stage_log.h>
+#include <pcl/manifold/export.h>
+#include <pcl/manifold/status.h>
+
+#include <Eigen/Core>
+
+#include <memory>
+
+namespace pcl {
+namespace manifold {
+
+/** \brief Parameters of DimensionDetection. */
+struct DimensionParameters
+{
+  double rho = 0.3; ///< in (0, 1]
+  Thinning thinning;
+  unsigned int threads = 0; ///< 0 = all cores
+  ProgressCallback progress;
+  std::shared_ptr<const DelaunayComplex> complex;     ///< of the same points and thinning, or null
+  std::shared_ptr<const SampleDimensions> dimensions; ///< likewise: taken over as they are
+};
+
+/** \brief The relative precision of the coordinates of a cloud of floats. */
+constexpr double FLOAT_RESOLUTION = 5.9604644775390625e-08; // 2^-24
+
+/** \brief DimensionDetection without PCL: from coordinates to the dimensions of the samples.
+ * \param[in] points coordinates of the points that the indices name, 3 x n
+ * \param[in] indices of the points in the user's cloud, or empty for 0 .. n-1
+ * \param[in] resolution relative precision of the coordinates
+ * \param[in,out] log of the stages
+ * \param[out] result null unless the answer is Status::OK
+ * Does not throw. */
+PCL_MANIFOLD_DELAUNAY_EXPORTS Status
+detectDimensions (const Eigen::Matrix3Xd& points, const pcl::Indices& indices, double resolution,
+                  const DimensionParameters& parameters, StageLog& log,
+                  std::shared_ptr<const SampleDimensions>& result) noexcept;
+
+} // namespace manifold
+} // namespace pcl

@@ -1,0 +1,81 @@
+#include "extraction/facet_set.h"
+
+#include <algorithm>
+
+namespace pcl {
+namespace manifold {
+
+void
+FacetSet::insert (std::int32_t cell, int facet)
+{
+  if (!contains (cell, facet))
+    toggle (cell, facet);
+}
+
+void
+FacetSet::erase (std::int32_t cell, int facet)
+{
+  if (contains (cell, facet))
+    toggle (cell, facet);
+}
+
+void
+FacetSet::toggle (std::int32_t cell, int facet)
+{
+  mask_[cell] ^= static_cast<std::uint8_t> (1 << facet);
+  mask_[complex_->neighbors[cell][facet]] ^=
+    static_cast<std::uint8_t> (1 << mirrorFacet (*complex_, cell, facet));
+}
+
+void
+FacetSet::fanAt (std::int32_t sample, Fan& fan) const
+{
+  fan.clear ();
+  forEachAt (sample, [&] (std::int32_t cell, int facet) {
+    const std::array<std::int32_t, 2> side = oppositeSide (*complex_, cell, facet, sample);
+    fan.add (side[0], side[1]);
+  });
+}
+
+bool
+FacetSet::covers (std::int32_t sample) const
+{
+  bool covered = false;
+  forEachAt (sample, [&covered] (std::int32_t, int) { covered = true; });
+  return covered;
+}
+
+std::array<std::int32_t, 3>
+facetOf (const DelaunayComplex& complex, std::int32_t cell, int facet)
+{
+  static constexpr int OUTWARD[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+  const DelaunayComplex::Cell& vertices = complex.cells[cell];
+  return {vertices[OUTWARD[facet][0]], vertices[OUTWARD[facet][1]], vertices[OUTWARD[facet][2]]};
+}
+
+std::array<std::int32_t, 2>
+oppositeSide (const DelaunayComplex& complex, std::int32_t cell, int facet, std::int32_t sample)
+{
+  std::array<std::int32_t, 2> side{};
+  int count = 0;
+  for (const std::int32_t vertex : facetOf (complex, cell, facet))
+    if (vertex != sample && count < 2)
+      side[count++] = vertex;
+  return side;
+}
+
+int
+mirrorFacet (const DelaunayComplex& complex, std::int32_t cell, int facet)
+{
+  const std::int32_t neighbor = complex.neighbors[cell][facet];
+  const std::array<std::int32_t, 3> triangle = facetOf (complex, cell, facet);
+  // Two cells in a plane may share more than one facet: the vertex opposite of the right one is not on it.
+  for (int k = 0; k < 3; ++k)
+    if (complex.neighbors[neighbor][k] == cell &&
+        std::find (triangle.begin (), triangle.end (), complex.cells[neighbor][k]) == triangle.end ())
+      return k;
+  return 3;
+}
+
+} // namespace manifold
+} // namespace pcl

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "extraction/facet_set.h"
+#include "extraction/sample_roles.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl {
+namespace manifold {
+
+/** The triangles across which the colour changes, all of them: closed where the infinite cells have one
+ * colour. */
+FacetSet closedSurface (const DelaunayComplex& complex, const std::vector<std::uint8_t>& colors);
+
+/** The candidates among the triangles across which the colour changes, and those others that fill no more
+ * than a small hole between them; manifold at every sample.
+ *
+ * Triangles that are no candidates span what was not sampled: the base of a scan that nobody saw, or free
+ * space where an open sheet has no other side. */
+FacetSet openSurface (const SampleDimensions& dimensions, const std::vector<Role>& roles,
+                      const std::vector<std::uint8_t>& colors);
+
+/** Erases triangles at the given samples until the set is manifold there and stays so at their neighbours: at
+ * each sample the largest fan is kept, and of more than two triangles at an edge those with the smallest
+ * circumspheres. */
+void eraseToManifold (const std::vector<std::int32_t>& samples, FacetSet& surface);
+
+} // namespace manifold
+} // namespace pcl
