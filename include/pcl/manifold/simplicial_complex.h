@@ -27,14 +27,9 @@ struct SimplicialComplex
   std::vector<Triangle> triangles;
   std::vector<Tetrahedron> tetrahedra; ///< positively oriented: det (b - a, c - a, d - a) > 0
 
-  bool
-  empty () const
-  {
-    return edges.empty () && triangles.empty () && tetrahedra.empty ();
-  }
+  bool empty () const { return edges.empty () && triangles.empty () && tetrahedra.empty (); }
 
-  void
-  clear ()
+  void clear ()
   {
     edges.clear ();
     triangles.clear ();
@@ -49,8 +44,8 @@ namespace manifold {
  * \param[in] vertices the number of points of its cloud: valid indices are 0 to \a vertices - 1
  * \param[out] why if given and the answer is no, one line about the first wrong simplex
  * \return true for a valid complex, the empty one among them */
-PCL_MANIFOLD_CORE_EXPORTS bool
-isValid (const SimplicialComplex& complex, std::size_t vertices, std::string* why = nullptr);
+PCL_MANIFOLD_CORE_EXPORTS bool isValid (const SimplicialComplex& complex, std::size_t vertices,
+                                        std::string* why = nullptr);
 
 /** \brief The boundary of a set of tetrahedra: the triangles that belong to exactly one of them.
  *
@@ -59,8 +54,8 @@ isValid (const SimplicialComplex& complex, std::size_t vertices, std::string* wh
  * repeated or negative vertex are passed over.
  * \param[in] tetrahedra positively oriented, det (b - a, c - a, d - a) > 0
  * \return the triangles, every one once */
-PCL_MANIFOLD_CORE_EXPORTS std::vector<SimplicialComplex::Triangle>
-boundaryTriangles (const std::vector<SimplicialComplex::Tetrahedron>& tetrahedra);
+PCL_MANIFOLD_CORE_EXPORTS std::vector<SimplicialComplex::Triangle> boundaryTriangles (
+  const std::vector<SimplicialComplex::Tetrahedron>& tetrahedra);
 
 /** \brief What orientTriangles () found. A patch is a set of triangles that hang together through edges of
  * exactly two triangles. */
@@ -78,8 +73,7 @@ struct Orientation
  * number of triangles. Triangles with a repeated or negative vertex are left alone.
  * \param[in,out] triangles their order and their sets of vertices stay as they are
  * \return the numbers of patches */
-PCL_MANIFOLD_CORE_EXPORTS Orientation
-orientTriangles (std::vector<SimplicialComplex::Triangle>& triangles);
+PCL_MANIFOLD_CORE_EXPORTS Orientation orientTriangles (std::vector<SimplicialComplex::Triangle>& triangles);
 
 /** \brief As orientTriangles (triangles), then every orientable patch without boundary is turned outward:
  * it encloses a positive volume. A patch with a boundary keeps the direction of its first triangle. The wall
@@ -87,9 +81,8 @@ orientTriangles (std::vector<SimplicialComplex::Triangle>& triangles);
  * \param[in,out] triangles their order and their sets of vertices stay as they are
  * \param[in] points coordinates, one column a vertex; triangles that point beyond the last are left alone
  * \return the numbers of patches */
-PCL_MANIFOLD_CORE_EXPORTS Orientation
-orientTriangles (std::vector<SimplicialComplex::Triangle>& triangles,
-                 const Eigen::Ref<const Eigen::Matrix3Xd>& points);
+PCL_MANIFOLD_CORE_EXPORTS Orientation orientTriangles (std::vector<SimplicialComplex::Triangle>& triangles,
+                                                       const Eigen::Ref<const Eigen::Matrix3Xd>& points);
 
 /** \brief A complex as a pcl::PolygonMesh: edges as polygons of two vertices, then the triangles, then the
  * boundary of the tetrahedra, because PCL's tools take a polygon of four vertices for a quadrangle.
@@ -97,8 +90,8 @@ orientTriangles (std::vector<SimplicialComplex::Triangle>& triangles,
  * \param[in] cloud the points, copied with all their fields
  * \param[out] mesh replaced; empty on failure
  * \return false, with a message through PCL_ERROR, when an index is not one of the cloud's points */
-PCL_MANIFOLD_CORE_EXPORTS bool
-toPolygonMesh (const SimplicialComplex& complex, const pcl::PCLPointCloud2& cloud, pcl::PolygonMesh& mesh);
+PCL_MANIFOLD_CORE_EXPORTS bool toPolygonMesh (const SimplicialComplex& complex,
+                                              const pcl::PCLPointCloud2& cloud, pcl::PolygonMesh& mesh);
 
 } // namespace manifold
 } // namespace pcl

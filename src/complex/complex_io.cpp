@@ -1,0 +1,114 @@
+#include <pcl/manifold/complex_io.h>
+
+#include "complex/files/file_error.h"
+#include "complex/files/formats.h"
+#include "complex/files/input_file.h"
+#include "complex/files/output_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <new>
+#include <utility>
+
+namespace pcl {
+namespace manifold {
+
+namespace {
+
+struct Format
+{
+  const char* extension;
+  FileContent (*read) (std::string_view);
+  void (*write) (OutputFile&, const CloudFields&, const SimplicialComplex&, bool);
+};
+
+constexpr Format formats[] = {
+  {".ply", readPly, writePly},
+  {".obj", readObj, writeObj},
+  {".vtk", readVtk, writeVtk},
+  {".vtu", readVtu, writeVtu},
+};
+
+const Format&
+formatOf (const std::string& file)
+{
+  std::string extension = std::filesystem::path (file).extension ().string ();
+  std::transform (extension.begin (), extension.end (), extension.begin (),
+                  [] (unsigned char c) { return static_cast<char> (std::tolower (c)); });
+  for (const Format& format : formats)
+    if (extension == format.extension)
+      return format;
+  throw FileError (extension.empty () ? "no extension; use .ply, .obj, .vtk or .vtu"
+                                      : "unknown extension " + extension + "; use .ply, .obj, .vtk or .vtu");
+}
+
+/** \brief Runs something that may fail and puts why it did into one line. */
+template <typename Function>
+bool
+succeeds (Function function, std::string& error)
+{
+  error.clear ();
+  try {
+    function ();
+    return true;
+  } catch (const std::bad_alloc&) {
+    error = "not enough memory";
+  } catch (const std::exception& exception) {
+    error = exception.what ();
+  }
+  return false;
+}
+
+} // namespace
+
+bool
+canSaveComplex (const std::string& file, std::string& error)
+{
+  return succeeds (
+    [&] {
+      formatOf (file);
+      // Whether the folder can be written to is not told by its permissions alone: try.
+      OutputFile probe (file);
+    },
+    error);
+}
+
+bool
+saveComplex (const std::string& file, const pcl::PCLPointCloud2& cloud, const SimplicialComplex& complex,
+             std::string& error, bool ascii)
+{
+  return succeeds (
+    [&] {
+      const Format& format = formatOf (file);
+      const CloudFields fields (cloud);
+      std::string why;
+      if (!isValid (complex, fields.points (), &why))
+        throw FileError (why);
+      OutputFile output (file);
+      format.write (output, fields, complex, ascii);
+      output.commit ();
+    },
+    error);
+}
+
+bool
+loadComplex (const std::string& file, pcl::PCLPointCloud2& cloud, SimplicialComplex& complex,
+             std::string& error)
+{
+  FileContent content;
+  const bool loaded = succeeds (
+    [&] {
+      const Format& format = formatOf (file);
+      content = format.read (InputFile (file).bytes ());
+    },
+    error);
+  if (!loaded)
+    content = FileContent ();
+  cloud = std::move (content.cloud);
+  complex = std::move (content.complex);
+  return loaded;
+}
+
+} // namespace manifold
+} // namespace pcl

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "complex/files/cloud_fields.h"
+#include "complex/files/output_file.h"
+
+#include <pcl/manifold/simplicial_complex.h>
+
+#include <string_view>
+
+namespace pcl {
+namespace manifold {
+
+/** \brief What is read from a file. */
+struct FileContent
+{
+  pcl::PCLPointCloud2 cloud;
+  SimplicialComplex complex;
+};
+
+// All of these throw FileError. The readers get the bytes of the whole file; the writers a valid complex.
+
+FileContent readPly (std::string_view bytes);
+
+FileContent readObj (std::string_view bytes);
+
+FileContent readVtk (std::string_view bytes);
+
+FileContent readVtu (std::string_view bytes);
+
+void writePly (OutputFile& file, const CloudFields& cloud, const SimplicialComplex& complex, bool ascii);
+
+void writeObj (OutputFile& file, const CloudFields& cloud, const SimplicialComplex& complex, bool ascii);
+
+void writeVtk (OutputFile& file, const CloudFields& cloud, const SimplicialComplex& complex, bool ascii);
+
+void writeVtu (OutputFile& file, const CloudFields& cloud, const SimplicialComplex& complex, bool ascii);
+
+} // namespace manifold
+} // namespace pcl

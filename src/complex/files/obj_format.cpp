@@ -1,0 +1,175 @@
+#include "complex/files/formats.h"
+#include "complex/files/scanner.h"
+#include "complex/files/simplex_collector.h"
+#include "complex/files/value_writer.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+
+namespace pcl {
+namespace manifold {
+
+namespace {
+
+using Field = pcl::PCLPointField;
+
+/** \brief How many digits of a number's text carry its value. */
+std::size_t
+significantDigits (std::string_view text)
+{
+  text = text.substr (0, text.find_first_of ("eE"));
+  text.remove_prefix (std::min (text.find_first_of ("123456789"), text.size ()));
+  return static_cast<std::size_t> (
+    std::count_if (text.begin (), text.end (), [] (unsigned char c) { return std::isdigit (c) != 0; }));
+}
+
+/** \brief Reads the statements of an OBJ file, line by line. */
+class ObjReader
+{
+public:
+  explicit ObjReader (std::string_view bytes) : scanner_ (bytes) {}
+
+  FileContent read ()
+  {
+    SimplexCollector collector (content_.complex);
+    for (; scanner_.remaining () > 0; scanner_.line ()) {
+      const std::string_view keyword = scanner_.wordOnLine ();
+      if (keyword == "v")
+        readPoint ();
+      else if (keyword == "l" || keyword == "f") {
+        readIndices ();
+        if (keyword == "l")
+          collector.addPolyline (indices_.data (), indices_.size ());
+        else
+          collector.addPolygon (indices_.data (), indices_.size ());
+      } else if (!keyword.empty () && keyword[0] != '#' && !isKeyword (keyword))
+        scanner_.failAtWord ("a statement", keyword);
+    }
+    checkLargest ();
+    content_.cloud = makeCloud (columns (), coordinates_.size () / 3);
+    return std::move (content_);
+  }
+
+private:
+  /** \brief Statements that mean nothing here are still made of letters, unlike the bytes of other files. */
+  static bool isKeyword (std::string_view word)
+  {
+    return std::all_of (word.begin (), word.end (),
+                        [] (unsigned char c) { return std::isalnum (c) != 0 || c == '_'; });
+  }
+
+  void readPoint ()
+  {
+    for (int k = 0; k < 3; ++k) {
+      const std::string_view word = scanner_.wordOnLine ();
+      double value = 0;
+      if (!parseNumber (word, value))
+        scanner_.failAtWord ("a coordinate", word);
+      coordinates_.push_back (value);
+      most_digits_ = std::max (most_digits_, significantDigits (word));
+    }
+  }
+
+  /** \brief Reads "7", "7/1", "7//3", "7/1/3", "-1", ... to the end of the line. */
+  void readIndices ()
+  {
+    indices_.clear ();
+    for (std::string_view word = scanner_.wordOnLine (); !word.empty () && word[0] != '#';
+         word = scanner_.wordOnLine ()) {
+      pcl::index_t index = 0;
+      if (!parseNumber (word.substr (0, word.find ('/')), index) || index == 0)
+        scanner_.failAtWord ("the number of a point", word);
+      const auto points = static_cast<std::int64_t> (coordinates_.size () / 3);
+      const std::int64_t vertex = index > 0 ? index - std::int64_t (1) : points + index;
+      if (vertex < 0)
+        scanner_.failAtLine ("there is no point " + std::to_string (index));
+      if (vertex > largest_) {
+        largest_ = static_cast<pcl::index_t> (vertex);
+        largest_end_ = scanner_.position ();
+      }
+      indices_.push_back (static_cast<pcl::index_t> (vertex));
+    }
+  }
+
+  /** \brief A face may stand before its points, so that this is known at the end only. */
+  void checkLargest ()
+  {
+    if (largest_ < static_cast<std::int64_t> (coordinates_.size () / 3))
+      return;
+    scanner_.seek (largest_end_);
+    scanner_.wordOnLine ();
+    scanner_.failAtLine ("there is no point " + std::to_string (static_cast<std::int64_t> (largest_) + 1));
+  }
+
+  std::vector<CloudColumn> columns () const
+  {
+    // Nine digits tell every float from every other.
+    const bool wide = most_digits_ > 9;
+    const std::size_t size = wide ? sizeof (double) : sizeof (float);
+    std::vector<CloudColumn> columns;
+    for (std::size_t k = 0; k < 3; ++k) {
+      columns.push_back (
+        {std::string (1, static_cast<char> ('x' + k)), wide ? Field::FLOAT64 : Field::FLOAT32, 1, {}});
+      std::vector<std::uint8_t>& data = columns.back ().data;
+      data.resize (coordinates_.size () / 3 * size);
+      for (std::size_t i = 0; i < coordinates_.size () / 3; ++i) {
+        const double value = coordinates_[3 * i + k];
+        const auto narrow = static_cast<float> (value);
+        std::memcpy (data.data () + i * size, wide ? static_cast<const void*> (&value) : &narrow, size);
+      }
+    }
+    return columns;
+  }
+
+  Scanner scanner_;
+  FileContent content_;
+  std::vector<double> coordinates_;
+  std::size_t most_digits_ = 0;
+  pcl::Indices indices_;
+  pcl::index_t largest_ = -1;   ///< vertex of any line or face
+  std::size_t largest_end_ = 0; ///< where it was read
+};
+
+template <std::size_t N>
+void
+writeRows (ValueWriter& writer, const char* keyword,
+           const std::vector<std::array<pcl::index_t, N>>& simplices)
+{
+  for (const auto& simplex : simplices) {
+    writer.text (keyword);
+    for (const pcl::index_t v : simplex)
+      writer.value (static_cast<std::int64_t> (v) + 1);
+    writer.endRow ();
+  }
+}
+
+} // namespace
+
+FileContent
+readObj (std::string_view bytes)
+{
+  return ObjReader (bytes).read ();
+}
+
+void
+writeObj (OutputFile& file, const CloudFields& cloud, const SimplicialComplex& complex,
+          bool /* always text */)
+{
+  ValueWriter writer (file, Encoding::TEXT);
+  writer.text ("# written by pcl_manifold\n");
+  const auto xyz = cloud.coordinates ();
+  for (std::size_t i = 0; i < cloud.points (); ++i) {
+    writer.text ("v ");
+    for (const CloudField& field : xyz)
+      writer.values (field.type, cloud.point (i) + field.offset, 1);
+    writer.endRow ();
+  }
+  writeRows (writer, "l ", complex.edges);
+  writeRows (writer, "f ", complex.triangles);
+  writeRows (writer, "f ", boundaryTriangles (complex.tetrahedra));
+  writer.finish ();
+}
+
+} // namespace manifold
+} // namespace pcl
