@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# From a fresh Debian 12 to meshes, reports and pictures: installs what is missing (as root, or through sudo),
+# builds the project, and finds the dimension and the shape of real and of generated clouds. Works without a
+# display; may be run again.
+#
+#   samples/quickstart.sh [FOLDER]     where the results go; out/quickstart in the repository if not given
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+out=$(realpath -m "${1:-$root/out/quickstart}")
+bin=$root/build/release/bin
+cd "$root"
+
+say () { echo "[$(printf '%4d' "$SECONDS") s] $*"; }
+
+say "1/5 dependencies"
+cmake/install_dependencies.sh build samples
+
+jobs=$(cmake/build_jobs.sh)
+say "2/5 build, release, $jobs at once (the first time takes minutes)"
+cmake --preset release --log-level=WARNING > /dev/null
+cmake --build --preset release --parallel "$jobs"
+mkdir -p "$out/clouds"
+
+# The clouds of Debian's package libcgal-demo: some images are set up to leave out /usr/share/doc, where it
+# puts them; then they are taken from the package itself.
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+unpack_real_clouds () {
+  local archive=/usr/share/doc/libcgal-dev/data.tar.gz
+  if [ ! -f "$archive" ]; then
+    (cd "$scratch" && apt-get download libcgal-demo && dpkg-deb -x libcgal-demo_*.deb .) > /dev/null 2>&1 ||
+      return 1
+    archive=$scratch$archive
+  fi
+  tar -xzf "$archive" -C "$scratch" data/points_3 data/meshes
+}
+
+say "3/5 clouds"
+"$bin/generate_cloud" scene "$out/clouds/scene.pcd" -spacing 0.05
+"$bin/generate_cloud" lidar-aerial "$out/clouds/lidar-aerial.pcd"
+real=()
+if unpack_real_clouds; then
+  real=(points_3/b9_training.ply points_3/kitten.xyz meshes/bunny00.off meshes/knot1.off)
+  for cloud in "${real[@]}"; do
+    cp "$scratch/data/$cloud" "$out/clouds/"
+  done
+else
+  say "no real clouds: this machine leaves out /usr/share/doc/libcgal-dev/data.tar.gz, and its package" \
+    "libcgal-demo could not be downloaded; going on with the generated clouds alone"
+fi
+
+# Both take the name of a cloud and then options of the app. Pictures are drawn on a virtual display.
+dimension () {
+  local name=${1%.*}
+  say "dimension of $1"
+  xvfb-run -a "$bin/pcl_dimension_detection" "$out/clouds/$1" "$out/$name-dimension.pcd" "${@:2}" \
+    -report "$out/$name-dimension.json" -picture "$out/$name-dimension.png"
+}
+shape () {
+  local name=${1%.*}
+  say "shape of $1"
+  xvfb-run -a "$bin/pcl_cocone_shape" "$out/clouds/$1" "$out/$name-shape.ply" "${@:2}" \
+    -report "$out/$name-shape.json" -picture "$out/$name-shape.png"
+}
+
+say "4/5 dimension: which points lie on curves, on surfaces, in solids"
+dimension scene.pcd
+dimension lidar-aerial.pcd -k 4
+if [ ${#real[@]} -gt 0 ]; then
+  dimension b9_training.ply -k 4
+fi
+
+say "5/5 shape: edges, triangles and tetrahedra"
+shape scene.pcd
+if [ ${#real[@]} -gt 0 ]; then
+  shape kitten.xyz
+  shape bunny00.off -watertight
+  shape knot1.off
+fi
+
+say "done. In $out:"
+(cd "$out" && find . -maxdepth 1 -type f -printf '%f\t%k KiB\n' | sort | awk -F '\t' '
+  function kind(name) {
+    if (name ~ /\.json$/) return "report"
+    if (name ~ /\.png$/) return "picture"
+    if (name ~ /\.ply$/) return "mesh"
+    return "cloud with the fields dimension, manifold_dimension, boundary, confidence"
+  }
+  { printf "  %-34s %10s  %s\n", $1, $2, kind($1) }')
