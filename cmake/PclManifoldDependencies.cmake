@@ -19,6 +19,7 @@ endfunction ()
 find_package (Boost 1.71 REQUIRED)
 find_package (Eigen3 REQUIRED)
 find_package (TBB REQUIRED)
+find_package (ZLIB REQUIRED)
 find_package (PCL 1.12 REQUIRED COMPONENTS ${PCL_MANIFOLD_PCL_COMPONENTS})
 pcl_manifold_pcl_targets (PCL_MANIFOLD_PCL_TARGETS ${PCL_MANIFOLD_PCL_COMPONENTS})
 

@@ -18,7 +18,8 @@
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
-#include <cmath>
+#include <filesystem>
+#include <random>
 
 namespace {
 
@@ -193,6 +194,37 @@ TEST (ComplexIoVtk, OursReadsVtksXmlFiles)
                               writer.SetByteOrder (order);
                               writer.SetEncodeAppendedData (base64);
                             });
+}
+
+TEST (ComplexIoVtk, CorruptCompressedFiles)
+{
+  const TestFolder folder;
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData (gridOf (folder));
+  writer->SetFileName ((folder / "a.vtu").c_str ());
+  writer->SetBlockSize (64);
+  std::mt19937_64 random (13);
+  for (const bool base64 : {false, true}) {
+    writer->SetEncodeAppendedData (base64);
+    ASSERT_EQ (1, writer->Write ());
+    const std::string good = folder.read ("a.vtu");
+    const std::size_t data = good.find ("<AppendedData");
+    for (int round = 0; round < 1000; ++round) {
+      std::string bad = good;
+      // Every other time within the arrays.
+      const std::size_t begin = round % 2 == 0 ? 0 : data;
+      for (int i = 0; i < 2; ++i)
+        bad[begin + random () % (bad.size () - begin)] = static_cast<char> (random ());
+      std::filesystem::remove (folder / "b.vtu");
+      pcl::PCLPointCloud2 cloud;
+      SimplicialComplex complex;
+      std::string error;
+      if (loadComplex (folder.write ("b.vtu", bad), cloud, complex, error))
+        EXPECT_TRUE (pcl::manifold::isValid (complex, cloud.width));
+      else
+        EXPECT_TRUE (complex.empty () && cloud.data.empty () && !error.empty ());
+    }
+  }
 }
 
 } // namespace

@@ -12,7 +12,7 @@ namespace {
 
 /** Powers of one half. */
 const std::array<double, 256> POWERS = [] {
-  std::array<double, 256> powers {};
+  std::array<double, 256> powers{};
   for (std::size_t i = 0; i < powers.size (); ++i)
     powers[i] = std::ldexp (1.0, -static_cast<int> (i));
   return powers;
@@ -23,7 +23,7 @@ struct Box
 {
   std::uint32_t patch;
   std::array<std::uint8_t, 3> level;
-  Eigen::Vector3f low;
+  Eigen::Vector3d low;
 };
 
 /** Covers a shape in two steps: random darts give the bulk of the points; then the shape is cut into boxes,
@@ -32,20 +32,21 @@ struct Box
 class Cover
 {
 public:
-  Cover (const Shape& shape, double spacing, PointGrid& grid, Random& random)
-  : shape_ (shape), spacing_ (spacing), grid_ (grid), random_ (random)
+  Cover (const Shape& shape, double spacing, PointGrid& grid, Random& random, const Tick& tick)
+    : shape_ (shape), spacing_ (spacing), grid_ (grid), random_ (random), tick_ (tick)
   {}
 
-  std::vector<Eigen::Vector3d>
-  run ()
+  std::vector<Eigen::Vector3d> run ()
   {
     throwDarts ();
     std::vector<Box> boxes;
     for (std::size_t patch = 0; patch < shape_.patches.size (); ++patch)
-      cutUp ({static_cast<std::uint32_t> (patch), {0, 0, 0}, Eigen::Vector3f::Zero ()}, boxes);
+      cutUp ({static_cast<std::uint32_t> (patch), {0, 0, 0}, Eigen::Vector3d::Zero ()}, boxes);
     for (std::size_t i = boxes.size (); i > 1; --i)
       std::swap (boxes[i - 1], boxes[random_.index (i)]);
-    for (const Box& box : boxes) {
+    for (std::size_t i = 0; i < boxes.size (); ++i) {
+      const Box& box = boxes[i];
+      report (0.5, i, boxes.size ());
       near_.resize (1);
       const Eigen::Vector3d middle = centre (box);
       grid_.collectWithin (middle, spacing_ + radius (box), near_[0]);
@@ -55,65 +56,60 @@ public:
   }
 
 private:
-  void
-  throwDarts ()
+  void throwDarts ()
   {
     const UniformDraw draw (shape_);
-    const double darts = shape_.dimension == 0 ? 0.0 : DARTS * expectedCount (shape_, spacing_);
-    for (double dart = 0.0; dart < darts; dart += 1.0) {
+    const double wanted = shape_.dimension == 0 ? 0.0 : DARTS * expectedCount (shape_, spacing_);
+    const auto darts = static_cast<std::size_t> (wanted);
+    for (std::size_t dart = 0; dart < darts; ++dart) {
+      report (0.0, dart, darts);
       const Eigen::Vector3d point = draw (random_);
       if (!grid_.anyWithin (point, spacing_))
         add (point);
     }
   }
 
-  void
-  add (const Eigen::Vector3d& point)
+  /** Tells how far one half of the work is. */
+  void report (double before, std::size_t done, std::size_t all) const
+  {
+    if (tick_ && done % 4096 == 0)
+      tick_ (before + 0.5 * static_cast<double> (done) / static_cast<double> (all));
+  }
+
+  void add (const Eigen::Vector3d& point)
   {
     grid_.insert (point);
     points_.push_back (point);
   }
 
-  Eigen::Vector3d
-  size (const Box& box) const
+  Eigen::Vector3d size (const Box& box) const
   {
     return {POWERS[box.level[0]], POWERS[box.level[1]], POWERS[box.level[2]]};
   }
 
-  Eigen::Vector3d
-  extent (const Box& box) const
-  {
-    return shape_.extent (box.patch, box.low.cast<double> (), size (box));
-  }
+  Eigen::Vector3d extent (const Box& box) const { return shape_.extent (box.patch, box.low, size (box)); }
 
-  Eigen::Vector3d
-  centre (const Box& box) const
+  Eigen::Vector3d centre (const Box& box) const
   {
-    return shape_.point (box.patch, box.low.cast<double> () + 0.5 * size (box));
+    return shape_.point (box.patch, box.low + 0.5 * size (box));
   }
 
   /** No point of the box is further than this from its centre. */
-  double
-  radius (const Box& box) const
-  {
-    return 0.5 * extent (box).norm ();
-  }
+  double radius (const Box& box) const { return 0.5 * extent (box).norm (); }
 
   /** The two halves of a box, cut where it is longest. */
-  std::array<Box, 2>
-  halves (const Box& box) const
+  std::array<Box, 2> halves (const Box& box) const
   {
     int axis = 0;
     extent (box).maxCoeff (&axis);
     Box first = box;
     ++first.level[static_cast<std::size_t> (axis)];
     Box second = first;
-    second.low[axis] += static_cast<float> (size (first)[axis]);
+    second.low[axis] += size (first)[axis];
     return {first, second};
   }
 
-  void
-  cutUp (const Box& box, std::vector<Box>& boxes) const
+  void cutUp (const Box& box, std::vector<Box>& boxes) const
   {
     if (radius (box) <= LARGEST_BOX * spacing_) {
       boxes.push_back (box);
@@ -123,10 +119,9 @@ private:
       cutUp (half, boxes);
   }
 
-  /** Covers a box. All points that could cover a place of it, or forbid one there, are in near_[depth]; points
-   * that are found are added to it and to the lists of the boxes around. */
-  void
-  fill (const Box& box, const Eigen::Vector3d& middle, std::size_t depth)
+  /** Covers a box. All points that could cover a place of it, or forbid one there, are in near_[depth];
+   * points that are found are added to it and to the lists of the boxes around. */
+  void fill (const Box& box, const Eigen::Vector3d& middle, std::size_t depth)
   {
     const double r = radius (box);
     if (isNear (middle, spacing_ - r, depth))
@@ -136,7 +131,7 @@ private:
       tryPoint (middle, depth);
       return;
     }
-    tryPoint (shape_.point (box.patch, box.low.cast<double> () + size (box).cwiseProduct (random_.cube ())), depth);
+    tryPoint (shape_.point (box.patch, box.low + size (box).cwiseProduct (random_.cube ())), depth);
 
     if (near_.size () < depth + 2)
       near_.resize (depth + 2);
@@ -151,8 +146,7 @@ private:
     }
   }
 
-  bool
-  isNear (const Eigen::Vector3d& place, double distance, std::size_t depth) const
+  bool isNear (const Eigen::Vector3d& place, double distance, std::size_t depth) const
   {
     if (distance <= 0.0)
       return false;
@@ -162,8 +156,7 @@ private:
     return false;
   }
 
-  void
-  tryPoint (const Eigen::Vector3d& point, std::size_t depth)
+  void tryPoint (const Eigen::Vector3d& point, std::size_t depth)
   {
     if (isNear (point, spacing_, depth))
       return;
@@ -180,6 +173,7 @@ private:
   const double spacing_;
   PointGrid& grid_;
   Random& random_;
+  const Tick& tick_;
   std::vector<Eigen::Vector3d> points_;
   std::vector<std::vector<Eigen::Vector3d>> near_; ///< by the depth of a box
 };
@@ -187,9 +181,9 @@ private:
 } // namespace
 
 std::vector<Eigen::Vector3d>
-coverShape (const Shape& shape, double spacing, PointGrid& grid, Random& random)
+coverShape (const Shape& shape, double spacing, PointGrid& grid, Random& random, const Tick& tick)
 {
-  return Cover (shape, spacing, grid, random).run ();
+  return Cover (shape, spacing, grid, random, tick).run ();
 }
 
 } // namespace generate

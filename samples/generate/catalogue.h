@@ -8,12 +8,10 @@
 namespace generate {
 
 /** \brief The names of all single shapes, curves first, then closed surfaces, open ones and solids. */
-const std::vector<std::string>&
-shapeNames ();
+const std::vector<std::string>& shapeNames ();
 
 /** \brief A shape in its default size.
  * \throws std::invalid_argument if there is no shape of that name */
-Shape
-shapeByName (const std::string& name);
+Shape shapeByName (const std::string& name);
 
 } // namespace generate

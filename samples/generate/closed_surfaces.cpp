@@ -68,17 +68,17 @@ Shape
 sphere (double radius)
 {
   Shape shape = parametric (
-      "sphere", 2, {2, 0}, Eigen::Vector3d::Zero (),
-      2.0 * std::pow (pi<double> () * radius, 2),
-      [radius] (const Eigen::Vector3d& u) -> Eigen::Vector3d { return radius * onUnitSphere (u); },
-      [radius] (const Eigen::Vector3d& u) { return radius * radius * unitSphereDensity (u); });
-  shape.extent = [radius] (std::size_t, const Eigen::Vector3d& low, const Eigen::Vector3d& size) -> Eigen::Vector3d {
+    "sphere", 2, {2, 0}, Eigen::Vector3d::Zero (), 2.0 * std::pow (pi<double> () * radius, 2),
+    [radius] (const Eigen::Vector3d& u) -> Eigen::Vector3d { return radius * onUnitSphere (u); },
+    [radius] (const Eigen::Vector3d& u) { return radius * radius * unitSphereDensity (u); });
+  shape.extent = [radius] (std::size_t, const Eigen::Vector3d& low,
+                           const Eigen::Vector3d& size) -> Eigen::Vector3d {
     return radius * unitSphereExtent (low, size);
   };
   shape.nearest = [radius] (const Eigen::Vector3d& p) {
     const double norm = p.norm ();
     const Eigen::Vector3d normal = norm > 0.0 ? Eigen::Vector3d (p / norm) : Eigen::Vector3d::UnitZ ();
-    return Nearest {radius * normal, normal, std::abs (norm - radius)};
+    return Nearest{radius * normal, normal, std::abs (norm - radius)};
   };
   shape.feature_size = radius;
   return shape;
@@ -91,21 +91,22 @@ ellipsoid (const Eigen::Vector3d& half_axes)
   // What the affine map from the unit sphere does to its area elements, by their normal.
   const Eigen::Vector3d cofactors = half_axes.prod () * half_axes.cwiseInverse ();
   Shape shape = parametric (
-      "ellipsoid", 2, {2, 0}, Eigen::Vector3d::Zero (),
-      2.0 * pi<double> () * pi<double> () * cofactors.maxCoeff (),
-      [half_axes] (const Eigen::Vector3d& u) -> Eigen::Vector3d {
-        return half_axes.cwiseProduct (onUnitSphere (u));
-      },
-      [cofactors] (const Eigen::Vector3d& u) {
-        return unitSphereDensity (u) * cofactors.cwiseProduct (onUnitSphere (u)).norm ();
-      });
-  shape.extent = [largest] (std::size_t, const Eigen::Vector3d& low, const Eigen::Vector3d& size) -> Eigen::Vector3d {
+    "ellipsoid", 2, {2, 0}, Eigen::Vector3d::Zero (),
+    2.0 * pi<double> () * pi<double> () * cofactors.maxCoeff (),
+    [half_axes] (const Eigen::Vector3d& u) -> Eigen::Vector3d {
+      return half_axes.cwiseProduct (onUnitSphere (u));
+    },
+    [cofactors] (const Eigen::Vector3d& u) {
+      return unitSphereDensity (u) * cofactors.cwiseProduct (onUnitSphere (u)).norm ();
+    });
+  shape.extent = [largest] (std::size_t, const Eigen::Vector3d& low,
+                            const Eigen::Vector3d& size) -> Eigen::Vector3d {
     return largest * unitSphereExtent (low, size);
   };
   shape.nearest = [half_axes] (const Eigen::Vector3d& p) {
     const Eigen::Vector3d x = nearestOnEllipsoid (half_axes, p);
     const Eigen::Vector3d normal = (x.array () / half_axes.array ().square ()).matrix ().normalized ();
-    return Nearest {x, normal, (x - p).norm ()};
+    return Nearest{x, normal, (x - p).norm ()};
   };
   // The smallest radius of curvature; an ellipsoid has no narrower place.
   shape.feature_size = smallest * smallest / largest;
@@ -117,23 +118,24 @@ torus (double big_radius, double small_radius)
 {
   const double full = two_pi<double> () * two_pi<double> () * small_radius;
   Shape shape = parametric (
-      "torus", 2, {0, 0},
-      {two_pi<double> () * small_radius, two_pi<double> () * (big_radius + small_radius), 0.0},
-      full * (big_radius + small_radius),
-      [=] (const Eigen::Vector3d& u) -> Eigen::Vector3d {
-        const double tube = two_pi<double> () * u[0], axis = two_pi<double> () * u[1];
-        const double ring = big_radius + small_radius * std::cos (tube);
-        return {ring * std::cos (axis), ring * std::sin (axis), small_radius * std::sin (tube)};
-      },
-      [=] (const Eigen::Vector3d& u) {
-        return full * (big_radius + small_radius * std::cos (two_pi<double> () * u[0]));
-      });
+    "torus", 2, {0, 0},
+    {two_pi<double> () * small_radius, two_pi<double> () * (big_radius + small_radius), 0.0},
+    full * (big_radius + small_radius),
+    [=] (const Eigen::Vector3d& u) -> Eigen::Vector3d {
+      const double tube = two_pi<double> () * u[0], axis = two_pi<double> () * u[1];
+      const double ring = big_radius + small_radius * std::cos (tube);
+      return {ring * std::cos (axis), ring * std::sin (axis), small_radius * std::sin (tube)};
+    },
+    [=] (const Eigen::Vector3d& u) {
+      return full * (big_radius + small_radius * std::cos (two_pi<double> () * u[0]));
+    });
   shape.nearest = [=] (const Eigen::Vector3d& p) {
     const double axis = std::atan2 (p.y (), p.x ());
     const Eigen::Vector3d centre (big_radius * std::cos (axis), big_radius * std::sin (axis), 0.0);
     const double off = (p - centre).norm ();
-    const Eigen::Vector3d normal = off > 0.0 ? Eigen::Vector3d ((p - centre) / off) : Eigen::Vector3d::UnitZ ();
-    return Nearest {centre + small_radius * normal, normal, std::abs (off - small_radius)};
+    const Eigen::Vector3d normal =
+      off > 0.0 ? Eigen::Vector3d ((p - centre) / off) : Eigen::Vector3d::UnitZ ();
+    return Nearest{centre + small_radius * normal, normal, std::abs (off - small_radius)};
   };
   shape.feature_size = std::min (small_radius, big_radius - small_radius);
   return shape;
@@ -158,7 +160,8 @@ knottedTube (double scale, double radius)
     const double bend = frame.acceleration.dot (offset (frame, two_pi<double> () * u[1]));
     return two_pi<double> () * two_pi<double> () * radius * (speed - radius * bend / speed);
   };
-  // Bounds by looking at many places: the map is smooth, so a bit more than the largest value holds everywhere.
+  // Bounds by looking at many places: the map is smooth, so a bit more than the largest value holds
+  // everywhere.
   constexpr int COUNT = 256;
   double along = 0.0, bound = 0.0;
   for (int i = 0; i < COUNT; ++i)
@@ -169,14 +172,16 @@ knottedTube (double scale, double radius)
       bound = std::max (bound, density (here));
     }
   // The frame twists, so the two directions are not orthogonal: the root of two makes up for that.
-  const Eigen::Vector3d stretch = std::sqrt (2.0) * Eigen::Vector3d (1.1 * along, two_pi<double> () * radius, 0.0);
+  const Eigen::Vector3d stretch =
+    std::sqrt (2.0) * Eigen::Vector3d (1.1 * along, two_pi<double> () * radius, 0.0);
   Shape shape = parametric ("knotted-tube", 2, {0, 0}, stretch, 1.1 * bound, point, density);
   const auto axis = [scale] (double t) { return trefoilFrame (scale, two_pi<double> () * t).position; };
   shape.nearest = [search = CurveSearch (axis, 512), axis, radius] (const Eigen::Vector3d& p) {
     const Eigen::Vector3d centre = axis (search (p));
     const double off = (p - centre).norm ();
-    const Eigen::Vector3d normal = off > 0.0 ? Eigen::Vector3d ((p - centre) / off) : Eigen::Vector3d::UnitZ ();
-    return Nearest {centre + radius * normal, normal, std::abs (off - radius)};
+    const Eigen::Vector3d normal =
+      off > 0.0 ? Eigen::Vector3d ((p - centre) / off) : Eigen::Vector3d::UnitZ ();
+    return Nearest{centre + radius * normal, normal, std::abs (off - radius)};
   };
   // Beside the tube the knot has its own feature size left, less the radius on either side of it.
   shape.feature_size = std::min (radius, 0.6 * scale - radius);

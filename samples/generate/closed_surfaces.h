@@ -5,20 +5,16 @@
 namespace generate {
 
 /** \brief A sphere about the origin. */
-Shape
-sphere (double radius = 1.0);
+Shape sphere (double radius = 1.0);
 
 /** \brief An ellipsoid about the origin. */
-Shape
-ellipsoid (const Eigen::Vector3d& half_axes = {1.0, 0.75, 0.5});
+Shape ellipsoid (const Eigen::Vector3d& half_axes = {1.0, 0.75, 0.5});
 
 /** \brief A torus about the z axis. */
-Shape
-torus (double big_radius = 1.0, double small_radius = 0.4);
+Shape torus (double big_radius = 1.0, double small_radius = 0.4);
 
 /** \brief A tube about generate::trefoil, a torus that is knotted in space.
  * \param[in] radius below 0.3 * \a scale, or the tube comes too near to itself */
-Shape
-knottedTube (double scale = 1.0, double radius = 0.25);
+Shape knottedTube (double scale = 1.0, double radius = 0.25);
 
 } // namespace generate

@@ -29,7 +29,7 @@ boundOver (const std::function<double (double)>& f)
 } // namespace
 
 CurveSearch::CurveSearch (std::function<Eigen::Vector3d (double t)> position, std::size_t table_size)
-: position_ (std::move (position))
+  : position_ (std::move (position))
 {
   for (std::size_t i = 0; i <= table_size; ++i)
     table_.push_back (position_ (static_cast<double> (i) / static_cast<double> (table_size)));
@@ -61,20 +61,18 @@ CurveSearch::operator() (const Eigen::Vector3d& p) const
 }
 
 Shape
-spaceCurve (const std::string& name,
-            bool closed,
-            const std::function<Eigen::Vector3d (double t)>& position,
+spaceCurve (const std::string& name, bool closed, const std::function<Eigen::Vector3d (double t)>& position,
             const std::function<Eigen::Vector3d (double t)>& velocity)
 {
   const double bound = boundOver ([&] (double t) { return velocity (t).norm (); });
   Shape shape = parametric (
-      name, 1, {closed ? 0 : 1, closed ? 0 : 2}, {bound, 0.0, 0.0}, bound,
-      [position] (const Eigen::Vector3d& u) { return position (u[0]); },
-      [velocity] (const Eigen::Vector3d& u) { return velocity (u[0]).norm (); });
+    name, 1, {closed ? 0 : 1, closed ? 0 : 2}, {bound, 0.0, 0.0}, bound,
+    [position] (const Eigen::Vector3d& u) { return position (u[0]); },
+    [velocity] (const Eigen::Vector3d& u) { return velocity (u[0]).norm (); });
   shape.nearest = [search = CurveSearch (position, 512), position, velocity] (const Eigen::Vector3d& p) {
     const double t = search (p);
     const Eigen::Vector3d x = position (t);
-    return Nearest {x, velocity (t).normalized (), (x - p).norm ()};
+    return Nearest{x, velocity (t).normalized (), (x - p).norm ()};
   };
   if (!closed)
     shape.strata = {isolatedPoints (name + " ends", {position (0.0), position (1.0)})};
@@ -82,8 +80,7 @@ spaceCurve (const std::string& name,
 }
 
 Shape
-straightEdges (const std::string& name,
-               const std::vector<Eigen::Vector3d>& corners,
+straightEdges (const std::string& name, const std::vector<Eigen::Vector3d>& corners,
                const std::vector<std::pair<std::size_t, std::size_t>>& edges)
 {
   std::vector<Eigen::Vector3d> from, along;
@@ -102,11 +99,12 @@ straightEdges (const std::string& name,
   shape.density = [patches = shape.patches] (std::size_t i, const Eigen::Vector3d&) {
     return patches[i].measure;
   };
-  shape.extent = [patches = shape.patches] (std::size_t i, const Eigen::Vector3d&, const Eigen::Vector3d& size) {
+  shape.extent = [patches = shape.patches] (std::size_t i, const Eigen::Vector3d&,
+                                            const Eigen::Vector3d& size) {
     return Eigen::Vector3d (patches[i].measure * size[0], 0.0, 0.0);
   };
   shape.nearest = [from, along] (const Eigen::Vector3d& p) {
-    Nearest best {p, Eigen::Vector3d::UnitX (), INF};
+    Nearest best{p, Eigen::Vector3d::UnitX (), INF};
     for (std::size_t i = 0; i < from.size (); ++i) {
       const double t = std::clamp ((p - from[i]).dot (along[i]) / along[i].squaredNorm (), 0.0, 1.0);
       const Eigen::Vector3d x = from[i] + t * along[i];
@@ -133,16 +131,16 @@ circle (double radius)
 {
   const double length = two_pi<double> () * radius;
   Shape shape = parametric (
-      "circle", 1, {0, 0}, {length, 0.0, 0.0}, length,
-      [radius] (const Eigen::Vector3d& u) -> Eigen::Vector3d {
-        const double angle = two_pi<double> () * u[0];
-        return {radius * std::cos (angle), radius * std::sin (angle), 0.0};
-      },
-      [length] (const Eigen::Vector3d&) { return length; });
+    "circle", 1, {0, 0}, {length, 0.0, 0.0}, length,
+    [radius] (const Eigen::Vector3d& u) -> Eigen::Vector3d {
+      const double angle = two_pi<double> () * u[0];
+      return {radius * std::cos (angle), radius * std::sin (angle), 0.0};
+    },
+    [length] (const Eigen::Vector3d&) { return length; });
   shape.nearest = [radius] (const Eigen::Vector3d& p) {
     const double angle = std::atan2 (p.y (), p.x ());
     const Eigen::Vector3d x (radius * std::cos (angle), radius * std::sin (angle), 0.0);
-    return Nearest {x, {-std::sin (angle), std::cos (angle), 0.0}, (x - p).norm ()};
+    return Nearest{x, {-std::sin (angle), std::cos (angle), 0.0}, (x - p).norm ()};
   };
   shape.feature_size = radius;
   return shape;
@@ -163,10 +161,10 @@ Shape
 trefoil (double scale)
 {
   Shape shape = spaceCurve (
-      "trefoil", true, [scale] (double t) { return trefoilFrame (scale, two_pi<double> () * t).position; },
-      [scale] (double t) -> Eigen::Vector3d {
-        return two_pi<double> () * trefoilFrame (scale, two_pi<double> () * t).velocity;
-      });
+    "trefoil", true, [scale] (double t) { return trefoilFrame (scale, two_pi<double> () * t).position; },
+    [scale] (double t) -> Eigen::Vector3d {
+      return two_pi<double> () * trefoilFrame (scale, two_pi<double> () * t).velocity;
+    });
   shape.feature_size = 0.6 * scale;
   return shape;
 }
@@ -176,13 +174,13 @@ helix (double radius, double pitch, double turns)
 {
   const double sweep = two_pi<double> () * turns, rise = pitch * turns;
   return spaceCurve (
-      "helix", false,
-      [=] (double t) -> Eigen::Vector3d {
-        return {radius * std::cos (sweep * t), radius * std::sin (sweep * t), rise * t};
-      },
-      [=] (double t) -> Eigen::Vector3d {
-        return {-radius * sweep * std::sin (sweep * t), radius * sweep * std::cos (sweep * t), rise};
-      });
+    "helix", false,
+    [=] (double t) -> Eigen::Vector3d {
+      return {radius * std::cos (sweep * t), radius * std::sin (sweep * t), rise * t};
+    },
+    [=] (double t) -> Eigen::Vector3d {
+      return {-radius * sweep * std::sin (sweep * t), radius * sweep * std::cos (sweep * t), rise};
+    });
 }
 
 Shape
@@ -190,8 +188,8 @@ segment (const Eigen::Vector3d& from, const Eigen::Vector3d& to)
 {
   const Eigen::Vector3d side = to - from;
   Shape shape = spaceCurve (
-      "segment", false, [=] (double t) -> Eigen::Vector3d { return from + t * side; },
-      [=] (double) { return side; });
+    "segment", false, [=] (double t) -> Eigen::Vector3d { return from + t * side; },
+    [=] (double) { return side; });
   shape.feature_size = INF;
   return shape;
 }

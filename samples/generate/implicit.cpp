@@ -87,14 +87,11 @@ torusField (const Eigen::Vector3d& p, double centre)
 } // namespace
 
 Shape
-implicitSurface (const std::string& name,
-                 const Topology& topology,
-                 const Field& field,
-                 const Eigen::AlignedBox3d& bounds,
-                 int cells)
+implicitSurface (const std::string& name, const Topology& topology, const Field& field,
+                 const Eigen::AlignedBox3d& bounds, int cells)
 {
   std::vector<MarchedTriangle> triangles =
-      marchTetrahedra ([&field] (const Eigen::Vector3d& p) { return field (p).value; }, bounds, cells);
+    marchTetrahedra ([&field] (const Eigen::Vector3d& p) { return field (p).value; }, bounds, cells);
   Shape shape;
   shape.name = name;
   shape.dimension = 2;
@@ -144,7 +141,7 @@ chainedToriField (int handles)
         smallest.gradient += weight * torus.gradient;
       }
     }
-    return FieldValue {smallest.value - BLEND * std::log (sum), smallest.gradient / sum};
+    return FieldValue{smallest.value - BLEND * std::log (sum), smallest.gradient / sum};
   };
 }
 

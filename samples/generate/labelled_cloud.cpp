@@ -6,10 +6,7 @@
 namespace generate {
 
 void
-LabelledCloud::add (const Eigen::Vector3d& point,
-                    std::uint32_t label,
-                    double point_depth,
-                    bool on_boundary,
+LabelledCloud::add (const Eigen::Vector3d& point, std::uint32_t label, double point_depth, bool on_boundary,
                     std::uint32_t point_object)
 {
   points.push_back (point);
@@ -24,7 +21,8 @@ LabelledCloud::append (const LabelledCloud& other, std::uint32_t first_object)
 {
   const std::size_t count = other.size ();
   for (std::size_t i = 0; i < count; ++i)
-    add (other.points[i], other.labels[i], other.depth[i], other.boundary[i] != 0, first_object + other.object[i]);
+    add (other.points[i], other.labels[i], other.depth[i], other.boundary[i] != 0,
+         first_object + other.object[i]);
 }
 
 void

@@ -35,10 +35,10 @@ addTetrahedron (const std::array<const GridCorner*, 4>& corners, std::vector<Mar
     triangles.push_back ({a, c, d});
   } else if (inside.size () == 1) {
     triangles.push_back (
-        {cut (*inside[0], *outside[0]), cut (*inside[0], *outside[1]), cut (*inside[0], *outside[2])});
+      {cut (*inside[0], *outside[0]), cut (*inside[0], *outside[1]), cut (*inside[0], *outside[2])});
   } else if (inside.size () == 3) {
     triangles.push_back (
-        {cut (*inside[0], *outside[0]), cut (*inside[1], *outside[0]), cut (*inside[2], *outside[0])});
+      {cut (*inside[0], *outside[0]), cut (*inside[1], *outside[0]), cut (*inside[2], *outside[0])});
   }
 }
 
@@ -46,8 +46,7 @@ addTetrahedron (const std::array<const GridCorner*, 4>& corners, std::vector<Mar
 
 std::vector<MarchedTriangle>
 marchTetrahedra (const std::function<double (const Eigen::Vector3d&)>& value,
-                 const Eigen::AlignedBox3d& bounds,
-                 int cells)
+                 const Eigen::AlignedBox3d& bounds, int cells)
 {
   const double size = bounds.sizes ().maxCoeff () / cells;
   const Eigen::Vector3i count = (bounds.sizes () / size).array ().ceil ().cast<int> ();

@@ -76,7 +76,8 @@ PointGrid::anyWithin (const Eigen::Vector3d& place, double radius) const
 }
 
 void
-PointGrid::collectWithin (const Eigen::Vector3d& place, double radius, std::vector<Eigen::Vector3d>& found) const
+PointGrid::collectWithin (const Eigen::Vector3d& place, double radius,
+                          std::vector<Eigen::Vector3d>& found) const
 {
   found.clear ();
   visitNear (place, radius, [&place, &found, squared = radius * radius] (const Eigen::Vector3d& point) {

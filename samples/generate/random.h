@@ -20,43 +20,28 @@ public:
   explicit Random (std::uint64_t seed) : engine_ (seed) {}
 
   /** \brief Uniform in [0, 1). */
-  double
-  uniform ()
-  {
-    return uniform_ (engine_);
-  }
+  double uniform () { return uniform_ (engine_); }
 
-  double
-  uniform (double low, double high)
-  {
-    return low + (high - low) * uniform ();
-  }
+  double uniform (double low, double high) { return low + (high - low) * uniform (); }
 
   /** \brief Uniform in {0, ..., count - 1}; \a count must be positive. */
-  std::size_t
-  index (std::size_t count)
+  std::size_t index (std::size_t count)
   {
     return boost::random::uniform_int_distribution<std::size_t> (0, count - 1) (engine_);
   }
 
   /** \brief A standard normal number. */
-  double
-  normal ()
-  {
-    return normal_ (engine_);
-  }
+  double normal () { return normal_ (engine_); }
 
   /** \brief A point of the unit cube. */
-  Eigen::Vector3d
-  cube ()
+  Eigen::Vector3d cube ()
   {
     const double x = uniform (), y = uniform (), z = uniform ();
     return {x, y, z};
   }
 
   /** \brief A uniformly distributed unit vector. */
-  Eigen::Vector3d
-  direction ()
+  Eigen::Vector3d direction ()
   {
     Eigen::Vector3d v;
     do {

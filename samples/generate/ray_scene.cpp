@@ -20,18 +20,19 @@ meets (const Eigen::AlignedBox3d& box, const Ray& ray, const Eigen::Array3d& inv
 } // namespace
 
 void
-RayScene::addTriangle (const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, Truth truth)
+RayScene::addTriangle (const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                       Truth truth)
 {
   Eigen::AlignedBox3d bounds (a);
   bounds.extend (b).extend (c);
-  things_.push_back ({Triangle {a, b, c}, truth, false, bounds});
+  things_.push_back ({Triangle{a, b, c}, truth, false, bounds});
 }
 
 void
 RayScene::addDisc (const Eigen::Vector3d& centre, const Eigen::Vector3d& normal, double radius, Truth truth)
 {
   const Eigen::Vector3d half = Eigen::Vector3d::Constant (radius);
-  things_.push_back ({Disc {centre, normal, radius}, truth, true, {centre - half, centre + half}});
+  things_.push_back ({Disc{centre, normal, radius}, truth, true, {centre - half, centre + half}});
 }
 
 void
@@ -41,7 +42,7 @@ RayScene::addRod (const Eigen::Vector3d& from, const Eigen::Vector3d& to, double
   Eigen::AlignedBox3d bounds (from - half, from + half);
   bounds.extend (to - half).extend (to + half);
   const double length = (to - from).norm ();
-  things_.push_back ({Rod {from, (to - from) / length, length, radius}, truth, radius < beam_radius_, bounds});
+  things_.push_back ({Rod{from, (to - from) / length, length, radius}, truth, radius < beam_radius_, bounds});
 }
 
 void
@@ -74,8 +75,8 @@ RayScene::buildNode (std::size_t first, std::size_t last)
   nodes_[node].bounds.sizes ().maxCoeff (&axis);
   const auto at = [this] (std::size_t i) { return things_.begin () + static_cast<std::ptrdiff_t> (i); };
   const std::size_t middle = first + (last - first) / 2;
-  // A full sort: equal keys would come in different orders from different standard libraries otherwise.
-  std::stable_sort (at (first), at (last), [axis] (const Thing& a, const Thing& b) {
+  // The order within a half may differ between standard libraries; which thing is nearest does not.
+  std::nth_element (at (first), at (middle), at (last), [axis] (const Thing& a, const Thing& b) {
     return a.bounds.center ()[axis] < b.bounds.center ()[axis];
   });
   buildNode (first, middle);
@@ -90,7 +91,7 @@ RayScene::cast (const Ray& ray, double from, double to) const
   std::optional<RayHit> best;
   if (ground_)
     if (const auto range = hitGround (ray, from, to)) {
-      best = RayHit {*range, ground_truth_, false};
+      best = RayHit{*range, ground_truth_, false};
       to = *range;
     }
   const Eigen::Array3d inverse = ray.direction.array ().inverse ();
@@ -112,7 +113,7 @@ RayScene::cast (const Ray& ray, double from, double to) const
       const Thing& thing = things_[i];
       const auto range = std::visit ([&] (const auto& form) { return hit (form, ray, from); }, thing.form);
       if (range && *range < to) {
-        best = RayHit {*range, thing.truth, thing.partial};
+        best = RayHit{*range, thing.truth, thing.partial};
         to = *range;
       }
     }

@@ -39,29 +39,24 @@ public:
    * when the pulse touches it. */
   explicit RayScene (double beam_radius) : beam_radius_ (beam_radius) {}
 
-  void
-  addTriangle (const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, Truth truth);
+  void addTriangle (const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                    Truth truth);
 
   /** \brief A disc that lets part of the light pass, such as a leaf. */
-  void
-  addDisc (const Eigen::Vector3d& centre, const Eigen::Vector3d& normal, double radius, Truth truth);
+  void addDisc (const Eigen::Vector3d& centre, const Eigen::Vector3d& normal, double radius, Truth truth);
 
   /** \brief A round rod without caps. */
-  void
-  addRod (const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius, Truth truth);
+  void addRod (const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius, Truth truth);
 
   /** \brief Ground of the given height above each point of the plane.
    * \param[in] steepest upper bound of its slope */
-  void
-  setGround (std::function<double (double x, double y)> height, double steepest, Truth truth);
+  void setGround (std::function<double (double x, double y)> height, double steepest, Truth truth);
 
   /** \brief Makes the scene ready for rays; to be called once all is added. */
-  void
-  build ();
+  void build ();
 
   /** \brief The nearest thing between two distances along a ray. */
-  std::optional<RayHit>
-  cast (const Ray& ray, double from, double to) const;
+  std::optional<RayHit> cast (const Ray& ray, double from, double to) const;
 
 private:
   struct Triangle
@@ -95,25 +90,20 @@ private:
     std::size_t first, count; ///< its things if count is not 0; otherwise first is its right child
   };
 
-  void
-  buildNode (std::size_t first, std::size_t last);
+  void buildNode (std::size_t first, std::size_t last);
 
-  std::optional<double>
-  hit (const Triangle& triangle, const Ray& ray, double from) const;
-  std::optional<double>
-  hit (const Disc& disc, const Ray& ray, double from) const;
-  std::optional<double>
-  hit (const Rod& rod, const Ray& ray, double from) const;
+  std::optional<double> hit (const Triangle& triangle, const Ray& ray, double from) const;
+  std::optional<double> hit (const Disc& disc, const Ray& ray, double from) const;
+  std::optional<double> hit (const Rod& rod, const Ray& ray, double from) const;
 
-  std::optional<double>
-  hitGround (const Ray& ray, double from, double to) const;
+  std::optional<double> hitGround (const Ray& ray, double from, double to) const;
 
   double beam_radius_;
   std::vector<Thing> things_;
   std::vector<Node> nodes_; ///< a left child comes right after its parent
   std::function<double (double x, double y)> ground_;
   double steepest_ = 0.0;
-  Truth ground_truth_ {0, 0};
+  Truth ground_truth_{0, 0};
 };
 
 } // namespace generate

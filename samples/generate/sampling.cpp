@@ -18,15 +18,14 @@ constexpr double POINTS_PER_UNIT[] = {1.0, 0.7476, 0.6966, 0.7335};
 
 /** Adds points of a shape, or of a stratum of it, to the cloud of that shape. */
 void
-addPoints (const Shape& whole,
-           const std::vector<Eigen::Vector3d>& points,
-           bool is_stratum,
+addPoints (const Shape& whole, const std::vector<Eigen::Vector3d>& points, bool is_stratum,
            LabelledCloud& cloud)
 {
   // The creases of a closed surface are strata too, but no boundary.
   const bool on_boundary = is_stratum && whole.topology.boundary_components > 0;
   for (const Eigen::Vector3d& point : points)
-    cloud.add (point, static_cast<std::uint32_t> (whole.dimension), is_stratum ? 0.0 : whole.depth (point), on_boundary);
+    cloud.add (point, static_cast<std::uint32_t> (whole.dimension), is_stratum ? 0.0 : whole.depth (point),
+               on_boundary);
 }
 
 /** A shape and, if wanted, its strata and theirs: corners before rims before the shape itself. */
@@ -64,17 +63,21 @@ solveGrowing (const std::function<double (double)>& f, double value)
 } // namespace
 
 LabelledCloud
-blueNoise (const Shape& shape, double spacing, std::uint64_t seed, Strata strata)
+blueNoise (const Shape& shape, double spacing, std::uint64_t seed, Strata strata, const Tick& tick)
 {
   if (!(spacing > 0.0))
     throw std::invalid_argument ("the spacing of " + shape.name + " must be positive");
   if (!(expectedCount (shape, spacing) < 2e9))
-    throw std::invalid_argument ("the spacing of " + shape.name + " is so small that it gives too many points");
+    throw std::invalid_argument ("the spacing of " + shape.name +
+                                 " is so small that it gives too many points");
   Random random (seed);
   PointGrid grid (spacing);
   LabelledCloud cloud;
-  for (const Shape* part : partsOf (shape, strata))
-    addPoints (shape, coverShape (*part, spacing, grid, random), part != &shape, cloud);
+  for (const Shape* part : partsOf (shape, strata)) {
+    // The shape itself is nearly all of the work.
+    const bool is_whole = part == &shape;
+    addPoints (shape, coverShape (*part, spacing, grid, random, is_whole ? tick : Tick ()), !is_whole, cloud);
+  }
   return cloud;
 }
 
@@ -97,7 +100,8 @@ uniform (const Shape& shape, std::size_t count, std::uint64_t seed, Strata strat
     const std::size_t left = count - cloud.size ();
     const double share = part->measure () * std::pow (per_length, part->dimension);
     const bool is_whole = part == &shape;
-    const std::size_t points = is_whole ? left : std::min (left, static_cast<std::size_t> (std::lround (share)));
+    const std::size_t points =
+      is_whole ? left : std::min (left, static_cast<std::size_t> (std::lround (share)));
     const UniformDraw draw (*part);
     std::vector<Eigen::Vector3d> drawn;
     for (std::size_t i = 0; i < points; ++i)

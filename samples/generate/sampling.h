@@ -20,29 +20,28 @@ enum class Strata
 
 /** \brief A maximal Poisson-disk sample: no two points are nearer than \a spacing, and no place of the shape
  * (or of one of its strata) is further than 1.001 times \a spacing from a point, in Euclidean distance.
- * \param[in] spacing positive; std::invalid_argument otherwise, or if it gives more than 2^31 points */
-LabelledCloud
-blueNoise (const Shape& shape, double spacing, std::uint64_t seed, Strata strata = Strata::SAMPLED);
+ * \param[in] spacing positive; std::invalid_argument otherwise, or if it gives more than 2 * 10^9 points
+ * \param[in] tick told how far it is; may be empty */
+LabelledCloud blueNoise (const Shape& shape, double spacing, std::uint64_t seed,
+                         Strata strata = Strata::SAMPLED, const Tick& tick = {});
 
 /** \brief Independent random points, uniform in length, area or volume.
  * \param[in] count number of points in all. Where strata are sampled each gets the part of them that makes it
  * as dense as the rest (corners and ends one point each, as far as \a count allows). */
-LabelledCloud
-uniform (const Shape& shape, std::size_t count, std::uint64_t seed, Strata strata = Strata::SAMPLED);
+LabelledCloud uniform (const Shape& shape, std::size_t count, std::uint64_t seed,
+                       Strata strata = Strata::SAMPLED);
 
 /** \brief A sample with a point within \a eps times the local feature size of every place of the shape: blue
  * noise at \a eps times Shape::feature_size.
  * \throws std::invalid_argument if the feature size is not known or infinite, or \a eps is not positive */
-LabelledCloud
-epsilonSample (const Shape& shape, double eps, std::uint64_t seed);
+LabelledCloud epsilonSample (const Shape& shape, double eps, std::uint64_t seed);
 
-/** \brief The spacing at which blueNoise gives about \a count points (within a few per cent for many points).
+/** \brief The spacing at which blueNoise gives about \a count points (within a few per cent;
+ * of a solid up to 15 % fewer while its skin holds many of them).
  * \param[in] count at least 1 */
-double
-spacingFor (const Shape& shape, std::size_t count);
+double spacingFor (const Shape& shape, std::size_t count);
 
 /** \brief About how many points blueNoise gives at a spacing. */
-double
-expectedCount (const Shape& shape, double spacing);
+double expectedCount (const Shape& shape, double spacing);
 
 } // namespace generate

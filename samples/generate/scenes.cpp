@@ -17,12 +17,17 @@ mixedSceneShapes ()
 }
 
 LabelledCloud
-mixedScene (double spacing, std::uint64_t seed)
+mixedScene (double spacing, std::uint64_t seed, const Tick& tick)
 {
+  const std::vector<Shape> shapes = mixedSceneShapes ();
   LabelledCloud cloud;
   std::uint32_t object = 0;
-  for (const Shape& shape : mixedSceneShapes ()) {
-    cloud.append (blueNoise (shape, spacing, seed + object), object);
+  for (const Shape& shape : shapes) {
+    const auto part = [&] (double fraction) {
+      if (tick)
+        tick ((object + fraction) / static_cast<double> (shapes.size ()));
+    };
+    cloud.append (blueNoise (shape, spacing, seed + object, Strata::SAMPLED, part), object);
     ++object;
   }
   return cloud;

@@ -77,12 +77,13 @@ Shape
 moved (const Shape& shape, const Eigen::Isometry3d& motion)
 {
   Shape result = shape;
-  result.point = [inner = shape.point, motion] (std::size_t patch, const Eigen::Vector3d& u) -> Eigen::Vector3d {
+  result.point = [inner = shape.point, motion] (std::size_t patch,
+                                                const Eigen::Vector3d& u) -> Eigen::Vector3d {
     return motion * inner (patch, u);
   };
   result.nearest = [inner = shape.nearest, motion] (const Eigen::Vector3d& p) {
     const Nearest found = inner (motion.inverse () * p);
-    return Nearest {motion * found.point, motion.linear () * found.normal, found.distance};
+    return Nearest{motion * found.point, motion.linear () * found.normal, found.distance};
   };
   for (Shape& stratum : result.strata)
     stratum = moved (stratum, motion);
@@ -96,12 +97,8 @@ moved (const Shape& shape, const Eigen::Vector3d& offset)
 }
 
 Shape
-parametric (const std::string& name,
-            int dimension,
-            const Topology& topology,
-            const Eigen::Vector3d& stretch,
-            double density_bound,
-            std::function<Eigen::Vector3d (const Eigen::Vector3d& u)> point,
+parametric (const std::string& name, int dimension, const Topology& topology, const Eigen::Vector3d& stretch,
+            double density_bound, std::function<Eigen::Vector3d (const Eigen::Vector3d& u)> point,
             std::function<double (const Eigen::Vector3d& u)> density)
 {
   Shape shape;
@@ -109,7 +106,8 @@ parametric (const std::string& name,
   shape.dimension = dimension;
   shape.topology = topology;
   shape.patches = {{integrate (dimension, density), density_bound}};
-  shape.extent = [stretch] (std::size_t, const Eigen::Vector3d&, const Eigen::Vector3d& size) -> Eigen::Vector3d {
+  shape.extent = [stretch] (std::size_t, const Eigen::Vector3d&,
+                            const Eigen::Vector3d& size) -> Eigen::Vector3d {
     return stretch.cwiseProduct (size);
   };
   shape.point = [point = std::move (point)] (std::size_t, const Eigen::Vector3d& u) { return point (u); };
@@ -138,7 +136,7 @@ isolatedPoints (const std::string& name, const std::vector<Eigen::Vector3d>& poi
       return (a - p).squaredNorm () < (b - p).squaredNorm ();
     };
     const Eigen::Vector3d best = *std::min_element (points.begin (), points.end (), nearer);
-    return Nearest {best, Eigen::Vector3d::UnitZ (), (best - p).norm ()};
+    return Nearest{best, Eigen::Vector3d::UnitZ (), (best - p).norm ()};
   };
   return shape;
 }

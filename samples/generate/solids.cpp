@@ -84,7 +84,7 @@ boxSkin (const Eigen::Vector3d& half)
     (half - p.cwiseAbs ()).minCoeff (&axis);
     const double side = p[axis] < 0.0 ? -1.0 : 1.0;
     x[axis] = side * half[axis];
-    return Nearest {x, side * Eigen::Vector3d::Unit (axis), (x - p).norm ()};
+    return Nearest{x, side * Eigen::Vector3d::Unit (axis), (x - p).norm ()};
   };
   shape.strata = {boxEdges (half)};
   return shape;
@@ -96,17 +96,16 @@ Shape
 ball (double radius)
 {
   Shape shape = parametric (
-      "ball", 3, {1, 1}, Eigen::Vector3d::Zero (),
-      2.0 * pi<double> () * pi<double> () * std::pow (radius, 3),
-      [radius] (const Eigen::Vector3d& u) -> Eigen::Vector3d {
-        const double polar = pi<double> () * u[1], azimuth = two_pi<double> () * u[2], r = radius * u[0];
-        return {r * std::sin (polar) * std::cos (azimuth), r * std::sin (polar) * std::sin (azimuth),
-                r * std::cos (polar)};
-      },
-      [radius] (const Eigen::Vector3d& u) {
-        return 2.0 * pi<double> () * pi<double> () * std::pow (radius, 3) * u[0] * u[0] *
-               std::sin (pi<double> () * u[1]);
-      });
+    "ball", 3, {1, 1}, Eigen::Vector3d::Zero (), 2.0 * pi<double> () * pi<double> () * std::pow (radius, 3),
+    [radius] (const Eigen::Vector3d& u) -> Eigen::Vector3d {
+      const double polar = pi<double> () * u[1], azimuth = two_pi<double> () * u[2], r = radius * u[0];
+      return {r * std::sin (polar) * std::cos (azimuth), r * std::sin (polar) * std::sin (azimuth),
+              r * std::cos (polar)};
+    },
+    [radius] (const Eigen::Vector3d& u) {
+      return 2.0 * pi<double> () * pi<double> () * std::pow (radius, 3) * u[0] * u[0] *
+             std::sin (pi<double> () * u[1]);
+    });
   shape.extent = [skin = sphere (radius).extent, radius] (std::size_t, const Eigen::Vector3d& low,
                                                           const Eigen::Vector3d& size) -> Eigen::Vector3d {
     const Eigen::Vector3d on_skin = skin (0, low.tail<2> ().homogeneous (), size.tail<2> ().homogeneous ());
@@ -115,8 +114,8 @@ ball (double radius)
   };
   shape.strata = {sphere (radius)};
   shape.feature_size = radius;
-  shape.nearest =
-      nearestOfSolid (shape.strata.front (), [radius] (const Eigen::Vector3d& p) { return p.norm () <= radius; });
+  shape.nearest = nearestOfSolid (shape.strata.front (),
+                                  [radius] (const Eigen::Vector3d& p) { return p.norm () <= radius; });
   return shape;
 }
 
@@ -126,9 +125,9 @@ box (const Eigen::Vector3d& size)
   const Eigen::Vector3d half = 0.5 * size;
   const double volume = size.prod ();
   Shape shape = parametric (
-      "box", 3, {1, 1}, size, volume,
-      [size, half] (const Eigen::Vector3d& u) -> Eigen::Vector3d { return u.cwiseProduct (size) - half; },
-      [volume] (const Eigen::Vector3d&) { return volume; });
+    "box", 3, {1, 1}, size, volume,
+    [size, half] (const Eigen::Vector3d& u) -> Eigen::Vector3d { return u.cwiseProduct (size) - half; },
+    [volume] (const Eigen::Vector3d&) { return volume; });
   shape.strata = {boxSkin (half)};
   shape.nearest = nearestOfSolid (shape.strata.front (), [half] (const Eigen::Vector3d& p) {
     return (p.cwiseAbs ().array () <= half.array ()).all ();
@@ -141,15 +140,15 @@ solidTorus (double big_radius, double small_radius)
 {
   const double full = two_pi<double> () * two_pi<double> () * small_radius * small_radius;
   Shape shape = parametric (
-      "solid-torus", 3, {0, 1}, Eigen::Vector3d::Zero (),
-      full * (big_radius + small_radius),
-      [=] (const Eigen::Vector3d& u) {
-        return onTorus (big_radius, small_radius * u[0], two_pi<double> () * u[1], two_pi<double> () * u[2]);
-      },
-      [=] (const Eigen::Vector3d& u) {
-        return full * u[0] * (big_radius + small_radius * u[0] * std::cos (two_pi<double> () * u[1]));
-      });
-  shape.extent = [=] (std::size_t, const Eigen::Vector3d& low, const Eigen::Vector3d& size) -> Eigen::Vector3d {
+    "solid-torus", 3, {0, 1}, Eigen::Vector3d::Zero (), full * (big_radius + small_radius),
+    [=] (const Eigen::Vector3d& u) {
+      return onTorus (big_radius, small_radius * u[0], two_pi<double> () * u[1], two_pi<double> () * u[2]);
+    },
+    [=] (const Eigen::Vector3d& u) {
+      return full * u[0] * (big_radius + small_radius * u[0] * std::cos (two_pi<double> () * u[1]));
+    });
+  shape.extent = [=] (std::size_t, const Eigen::Vector3d& low,
+                      const Eigen::Vector3d& size) -> Eigen::Vector3d {
     const double outer = small_radius * (low[0] + size[0]);
     return {small_radius * size[0], two_pi<double> () * outer * size[1],
             two_pi<double> () * (big_radius + outer) * size[2]};

@@ -8,15 +8,12 @@ namespace generate {
  * solid, and labelled 3, when it is sampled with it. */
 
 /** \brief A ball about the origin. */
-Shape
-ball (double radius = 1.0);
+Shape ball (double radius = 1.0);
 
 /** \brief A box about the origin with edges along the axes. The edges and corners of its skin are strata. */
-Shape
-box (const Eigen::Vector3d& size = {2.0, 1.6, 1.2});
+Shape box (const Eigen::Vector3d& size = {2.0, 1.6, 1.2});
 
 /** \brief A solid torus about the z axis. */
-Shape
-solidTorus (double big_radius = 1.0, double small_radius = 0.4);
+Shape solidTorus (double big_radius = 1.0, double small_radius = 0.4);
 
 } // namespace generate

@@ -17,16 +17,14 @@ struct Waves
 {
   double side, height;
 
-  Eigen::Vector3d
-  point (double x, double y) const
+  Eigen::Vector3d point (double x, double y) const
   {
     const double u = two_pi<double> () / side * x, v = two_pi<double> () / side * y;
     const double z = std::sin (1.5 * u + 0.3) * std::cos (1.2 * v) + 0.4 * std::sin (2.3 * u - 1.1 * v + 1.0);
     return {x, y, height * z};
   }
 
-  Eigen::Vector2d
-  gradient (double x, double y) const
+  Eigen::Vector2d gradient (double x, double y) const
   {
     const double u = two_pi<double> () / side * x, v = two_pi<double> () / side * y;
     const double cross = 0.4 * std::cos (2.3 * u - 1.1 * v + 1.0);
@@ -36,8 +34,7 @@ struct Waves
   }
 
   /** Largest possible norm of the gradient. */
-  double
-  steepest () const
+  double steepest () const
   {
     return height * two_pi<double> () / side * std::hypot (1.5 + 2.3 * 0.4, 1.2 + 1.1 * 0.4);
   }
@@ -51,10 +48,14 @@ terrainRim (const Waves& waves)
   const auto place = [half] (std::size_t side, double t) -> Eigen::Vector2d {
     const double along = (2.0 * t - 1.0) * half;
     switch (side) {
-    case 0: return {along, -half};
-    case 1: return {half, along};
-    case 2: return {-along, half};
-    default: return {-half, -along};
+      case 0:
+        return {along, -half};
+      case 1:
+        return {half, along};
+      case 2:
+        return {-along, half};
+      default:
+        return {-half, -along};
     }
   };
   const auto position = [waves, place] (std::size_t side, double t) {
@@ -70,8 +71,8 @@ terrainRim (const Waves& waves)
   std::vector<Eigen::Vector3d> corners;
   for (std::size_t side = 0; side < 4; ++side) {
     sides.push_back (spaceCurve (
-        "terrain side", false, [=] (double t) { return position (side, t); },
-        [=] (double t) { return velocity (side, t); }));
+      "terrain side", false, [=] (double t) { return position (side, t); },
+      [=] (double t) { return velocity (side, t); }));
     corners.push_back (position (side, 0.0));
   }
   Shape shape;
@@ -105,15 +106,15 @@ terrainRim (const Waves& waves)
 Shape
 terrain (double side, double height)
 {
-  const Waves waves {side, height};
+  const Waves waves{side, height};
   const double half = 0.5 * side, slope = std::hypot (1.0, waves.steepest ());
   Shape shape = parametric (
-      "terrain", 2, {1, 1}, {side * slope, side * slope, 0.0}, side * side * slope,
-      [=] (const Eigen::Vector3d& u) { return waves.point ((u[0] - 0.5) * side, (u[1] - 0.5) * side); },
-      [=] (const Eigen::Vector3d& u) {
-        const Eigen::Vector2d gradient = waves.gradient ((u[0] - 0.5) * side, (u[1] - 0.5) * side);
-        return side * side * std::sqrt (1.0 + gradient.squaredNorm ());
-      });
+    "terrain", 2, {1, 1}, {side * slope, side * slope, 0.0}, side * side * slope,
+    [=] (const Eigen::Vector3d& u) { return waves.point ((u[0] - 0.5) * side, (u[1] - 0.5) * side); },
+    [=] (const Eigen::Vector3d& u) {
+      const Eigen::Vector2d gradient = waves.gradient ((u[0] - 0.5) * side, (u[1] - 0.5) * side);
+      return side * side * std::sqrt (1.0 + gradient.squaredNorm ());
+    });
   shape.nearest = [=] (const Eigen::Vector3d& p) {
     // Gauss-Newton on the squared distance, kept inside of the square.
     Eigen::Vector2d xy (std::clamp (p.x (), -half, half), std::clamp (p.y (), -half, half));
@@ -131,7 +132,7 @@ terrain (double side, double height)
     const Eigen::Vector3d x = waves.point (xy.x (), xy.y ());
     const Eigen::Vector2d gradient = waves.gradient (xy.x (), xy.y ());
     const Eigen::Vector3d normal (-gradient.x (), -gradient.y (), 1.0);
-    return Nearest {x, normal.normalized (), (x - p).norm ()};
+    return Nearest{x, normal.normalized (), (x - p).norm ()};
   };
   shape.strata = {terrainRim (waves)};
   return shape;

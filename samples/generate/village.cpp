@@ -73,7 +73,8 @@ addPylons (RayScene& scene)
   for (const double y : {-Y, Y}) {
     const auto corner = [&] (std::size_t i, double height) -> Vector3d {
       const double half = BASE + (TOP - BASE) * height / HEIGHT;
-      return Vector3d (X + half * corners[i].first, y + half * corners[i].second, villageGround (X, y) + height);
+      return Vector3d (X + half * corners[i].first, y + half * corners[i].second,
+                       villageGround (X, y) + height);
     };
     for (std::size_t i = 0; i < corners.size (); ++i) {
       const std::size_t next = (i + 1) % corners.size ();
@@ -105,7 +106,8 @@ addLampPosts (RayScene& scene)
 
 /** A house with a gable roof that juts out over its walls. */
 void
-addHouse (RayScene& scene, double x, double y, double angle, double length, double width, double eaves, double ridge)
+addHouse (RayScene& scene, double x, double y, double angle, double length, double width, double eaves,
+          double ridge)
 {
   constexpr double OVERHANG = 0.4;
   const Truth building = truth (2, LidarClass::BUILDING);
@@ -126,16 +128,18 @@ addHouse (RayScene& scene, double x, double y, double angle, double length, doub
              place (side * l, -w, eaves));
     scene.addTriangle (place (side * l, -w, eaves), place (side * l, w, eaves), place (side * l, 0.0, ridge),
                        building);
-    const double drop = eaves - OVERHANG * (ridge - eaves) / w, out = side * (w + OVERHANG), far = l + OVERHANG;
-    addQuad (place (-far, out, drop), place (far, out, drop), place (far, 0.0, ridge), place (-far, 0.0, ridge));
+    const double drop = eaves - OVERHANG * (ridge - eaves) / w, out = side * (w + OVERHANG),
+                 far = l + OVERHANG;
+    addQuad (place (-far, out, drop), place (far, out, drop), place (far, 0.0, ridge),
+             place (-far, 0.0, ridge));
   }
 }
 
 void
 addTree (RayScene& scene, const Vector3d& foot, Random& random)
 {
-  const double leaves_per_volume = 45.0, leaf_radius = 0.07;
-  const Vector3d half (random.uniform (1.8, 3.2), random.uniform (1.8, 3.2), random.uniform (2.0, 3.5));
+  const double leaves_per_volume = 60.0, leaf_radius = 0.07;
+  const Vector3d half (random.uniform (2.0, 3.6), random.uniform (2.0, 3.6), random.uniform (2.2, 4.0));
   const double trunk = random.uniform (2.0, 3.5);
   const Vector3d centre = foot + Vector3d (0.0, 0.0, trunk + half.z ());
   scene.addRod (foot, centre, random.uniform (0.15, 0.25), truth (2, LidarClass::VEGETATION));
@@ -151,7 +155,7 @@ addTree (RayScene& scene, const Vector3d& foot, Random& random)
 void
 addTrees (RayScene& scene, Random& random)
 {
-  constexpr int COUNT = 16;
+  constexpr int COUNT = 24;
   std::vector<Vector3d> feet;
   while (feet.size () < COUNT) {
     const double x = random.uniform (-54.0, 36.0), y = random.uniform (-34.0, 34.0);
@@ -171,7 +175,8 @@ addTrees (RayScene& scene, Random& random)
 double
 villageGround (double x, double y)
 {
-  return 0.8 * std::sin (0.07 * x + 0.5) + 0.6 * std::sin (0.09 * y - 0.03 * x) + 0.15 * std::sin (0.31 * x + 0.27 * y);
+  return 0.8 * std::sin (0.07 * x + 0.5) + 0.6 * std::sin (0.09 * y - 0.03 * x) +
+         0.15 * std::sin (0.31 * x + 0.27 * y);
 }
 
 RayScene

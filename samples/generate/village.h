@@ -21,14 +21,11 @@ constexpr double VILLAGE_HALF_LENGTH = 60.0;
 constexpr double VILLAGE_HALF_WIDTH = 40.0;
 
 /** \brief Height of the rolling ground of the village. */
-double
-villageGround (double x, double y);
+double villageGround (double x, double y);
 
-/** \brief A place to live, in metres: rolling ground, houses with gable roofs, trees, lamp posts, a power line
- * on poles along x and a high one on pylons along y. Ready for rays.
- * \param[in] beam_radius as for RayScene
- * \param[in] seed where the trees stand and how their leaves hang */
-RayScene
-village (double beam_radius, std::uint64_t seed);
+/** \brief A place to live, in metres: rolling ground, houses with gable roofs, trees, lamp posts, a power
+ * line on poles along x and a high one on pylons along y. Ready for rays. \param[in] beam_radius as for
+ * RayScene \param[in] seed where the trees stand and how their leaves hang */
+RayScene village (double beam_radius, std::uint64_t seed);
 
 } // namespace generate

@@ -113,19 +113,41 @@ public:
     sort (steps);
   }
 
-  void grant (ParityForest& forest) const
+  /** Grants the wishes in their order, as far as those before allow. Few of the later ones join anything:
+   * before each of the growing pieces the others are sorted out in parallel. */
+  void grant (ParityForest& forest)
   {
-    for (const std::uint32_t wish : order_) {
-      if (wish < 4 * cells_) {
-        forest.unite (wish >> 2, complex_.neighbors[wish >> 2][wish & 3], false);
-      } else {
-        const Poles& poles = poles_[wish - 4 * cells_];
-        forest.unite (poles.outer, poles.inner, true);
-      }
+    std::size_t begin = 0;
+    for (const std::size_t share : {16, 8, 4, 2, 1}) {
+      const std::size_t end = order_.size () / share;
+      if (begin > 0)
+        parallelFor (end - begin, [&] (std::size_t i) {
+          std::uint32_t& wish = order_[begin + i];
+          const auto [a, b] = cellsOf (wish);
+          if (forest.look (a).first == forest.look (b).first)
+            wish = GRANTED;
+        });
+      for (std::size_t i = begin; i < end; ++i)
+        if (order_[i] != GRANTED) {
+          const auto [a, b] = cellsOf (order_[i]);
+          forest.unite (a, b, order_[i] >= 4 * cells_);
+        }
+      begin = end;
     }
   }
 
 private:
+  static constexpr std::uint32_t GRANTED = UINT32_MAX;
+
+  std::pair<std::uint32_t, std::uint32_t> cellsOf (std::uint32_t wish) const
+  {
+    if (wish >= 4 * cells_) {
+      const Poles& poles = poles_[wish - 4 * cells_];
+      return {static_cast<std::uint32_t> (poles.outer), static_cast<std::uint32_t> (poles.inner)};
+    }
+    return {wish >> 2, static_cast<std::uint32_t> (complex_.neighbors[wish >> 2][wish & 3])};
+  }
+
   // A counting sort in parallel pieces, stable and so the same for any number of threads.
   void sort (const std::vector<std::uint16_t>& steps)
   {
@@ -192,8 +214,10 @@ colorCells (const SampleDimensions& dimensions, const std::vector<Role>& roles, 
 
   std::vector<std::uint8_t> colors (cells);
   const std::uint32_t reference = forest.find (first_infinite).second;
-  for (std::uint32_t cell = 0; cell < cells; ++cell)
-    colors[cell] = static_cast<std::uint8_t> (forest.find (cell).second ^ reference);
+  parallelFor (cells, [&] (std::size_t cell) {
+    colors[cell] =
+      static_cast<std::uint8_t> (forest.look (static_cast<std::uint32_t> (cell)).second ^ reference);
+  });
   return colors;
 }
 

@@ -3,6 +3,8 @@
 #include "common/parallel.h"
 #include "extraction/candidates.h"
 #include "extraction/cell_star.h"
+#include "extraction/facet_set.h"
+#include "extraction/fan.h"
 #include "voronoi/voronoi_cell.h"
 
 #include <algorithm>
@@ -46,23 +48,32 @@ public:
   }
 
 private:
-  bool isBad (std::int32_t sample, CellStar& star) const
+  // Whether the surface where the colour changes is something else than one disk at the sample.
+  bool crossesItself (std::int32_t sample) const
+  {
+    Fan fan;
+    VoronoiCell (complex_, sample).forEachFacet ([&] (std::int32_t a, std::int32_t b, int facet) {
+      if (colors_[a] == colors_[b])
+        return;
+      const std::array<std::int32_t, 2> side = oppositeSide (complex_, a, facet, sample);
+      fan.add (side[0], side[1]);
+    });
+    return fan.size () > 0 && !fan.isClosed ();
+  }
+
+  bool isBad (std::int32_t sample) const
   {
     if (!closed_ && roles_[sample] != Role::SURFACE && roles_[sample] != Role::RIM)
       return false;
-    star.split (sample, colors_);
-    return star.components () > 2 &&
+    return crossesItself (sample) &&
            (closed_ || !candidatesAreManifold (dimensions_, roles_, colors_, sample));
   }
 
   void findBad ()
   {
     std::vector<std::uint8_t> bad (roles_.size (), 0);
-    parallelRanges (roles_.size (), [&] (std::size_t begin, std::size_t end) {
-      CellStar star (complex_);
-      for (std::size_t i = begin; i < end; ++i)
-        bad[i] = isBad (static_cast<std::int32_t> (i), star) ? 1 : 0;
-    });
+    parallelFor (roles_.size (),
+                 [&] (std::size_t i) { bad[i] = isBad (static_cast<std::int32_t> (i)) ? 1 : 0; });
     for (std::size_t i = 0; i < bad.size (); ++i)
       if (bad[i])
         enqueue (static_cast<std::int32_t> (i));
@@ -78,8 +89,9 @@ private:
 
   void settle (std::int32_t sample)
   {
-    if (!isBad (sample, star_))
+    if (!isBad (sample))
       return;
+    star_.split (sample, colors_);
     if (changes_[sample] < MAX_CHANGES) {
       ++changes_[sample];
       change (star_.cellsOf (star_.smallest ()));

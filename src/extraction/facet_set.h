@@ -52,8 +52,11 @@ public:
   /** The link of a sample in the set. */
   void fanAt (std::int32_t sample, Fan& fan) const;
 
-  /** Whether the sample has a triangle of the set. */
-  bool covers (std::int32_t sample) const;
+  /** What every sample has of the set, all at once: bit COVERED if there is a triangle, bit OPEN if these do
+   * not form disks. Right where the set is manifold. */
+  std::vector<std::uint8_t> coverage () const;
+  static constexpr std::uint8_t COVERED = 1;
+  static constexpr std::uint8_t OPEN = 2;
 
   /** The triangles, each from its cell for which `first` is true or, if for neither or both, from the one
    * with the smaller number; seen from outside of that cell their samples are in counterclockwise order. */

@@ -80,12 +80,29 @@ Fan::ends ()
 }
 
 bool
-Fan::isClosed ()
+Fan::isClosed () const
 {
-  return !sides_.empty () && isManifold () &&
-         std::all_of (sides_.begin (), sides_.end (), [this] (const auto& side) {
-           return degree (side.first) == 2 && degree (side.second) == 2;
-         });
+  if (sides_.size () < 2)
+    return false;
+  // Along the sides from the first one on, back to it after all of them.
+  std::size_t current = 0;
+  std::int32_t vertex = sides_[0].second;
+  for (std::size_t step = 1; step <= sides_.size (); ++step) {
+    std::size_t next = sides_.size ();
+    for (std::size_t i = 0; i < sides_.size (); ++i)
+      if (i != current && (sides_[i].first == vertex || sides_[i].second == vertex)) {
+        if (next != sides_.size ())
+          return false; // more than two sides meet
+        next = i;
+      }
+    if (next == sides_.size ())
+      return false;
+    if (next == 0)
+      return step == sides_.size ();
+    vertex = sides_[next].first == vertex ? sides_[next].second : sides_[next].first;
+    current = next;
+  }
+  return false;
 }
 
 } // namespace manifold

@@ -29,7 +29,7 @@ public:
   bool canBecomeManifold ();
 
   /** One cycle: the triangles form a disk. */
-  bool isClosed ();
+  bool isClosed () const;
 
   /** The two ends of a fan that is one path; -1, -1 otherwise. */
   std::array<std::int32_t, 2> ends ();

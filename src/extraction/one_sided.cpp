@@ -4,6 +4,7 @@
 #include "complex/disjoint_sets.h"
 #include "extraction/candidates.h"
 #include "extraction/cell_coloring.h"
+#include "extraction/color_changes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,23 +28,19 @@ findSeams (const SampleDimensions& dimensions, const std::vector<Role>& roles,
            const std::vector<std::uint8_t>& colors)
 {
   const DelaunayComplex& complex = *dimensions.complex;
-  std::vector<std::uint8_t> seam (complex.cells.size (), 0);
-  parallelFor (seam.size (), [&] (std::size_t i) {
-    const auto cell = static_cast<std::int32_t> (i);
-    for (int k = 0; k < 4; ++k) {
-      const std::int32_t neighbor = complex.neighbors[i][k];
-      if (cell < neighbor && colors[cell] != colors[neighbor] && !complex.isInfinite (neighbor) &&
-          intersectionDepth (complex, cell, k) > FREE_SPACE_DEPTH &&
-          !isCandidate (dimensions, roles, cell, k))
-        seam[i] |= static_cast<std::uint8_t> (1 << k);
-    }
+  const std::vector<Facet> changes = colorChanges (complex, colors);
+  std::vector<std::uint8_t> seam (changes.size ());
+  parallelFor (changes.size (), [&] (std::size_t i) {
+    const auto [cell, facet] = changes[i];
+    seam[i] = !complex.isInfinite (complex.neighbors[cell][facet]) &&
+              intersectionDepth (complex, cell, facet) > FREE_SPACE_DEPTH &&
+              !isCandidate (dimensions, roles, cell, facet);
   });
   std::vector<std::uint8_t> samples (roles.size (), 0);
   for (std::size_t i = 0; i < seam.size (); ++i)
-    for (int k = 0; seam[i] != 0 && k < 4; ++k)
-      if (seam[i] >> k & 1)
-        for (const std::int32_t vertex : facetOf (complex, static_cast<std::int32_t> (i), k))
-          samples[vertex] = 1;
+    if (seam[i])
+      for (const std::int32_t vertex : facetOf (complex, changes[i].cell, changes[i].facet))
+        samples[vertex] = 1;
   return samples;
 }
 

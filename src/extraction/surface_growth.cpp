@@ -1,6 +1,5 @@
 #include "extraction/surface_growth.h"
 
-#include "common/parallel.h"
 #include "complex/disjoint_sets.h"
 #include "extraction/candidates.h"
 #include "extraction/facet_fitting.h"
@@ -17,36 +16,28 @@ constexpr std::uint32_t MIN_CLUSTER = 12;
 // Longer loops than this are kept as the boundary of something.
 constexpr std::size_t MAX_FILLED_LOOP = 6;
 
-// Surface samples that no triangle of the surface has as a vertex.
-std::vector<std::uint8_t>
-uncoveredSamples (const std::vector<Role>& roles, const FacetSet& surface)
-{
-  std::vector<std::uint8_t> uncovered (roles.size (), 0);
-  parallelFor (roles.size (), [&] (std::size_t i) {
-    uncovered[i] = roles[i] == Role::SURFACE && !surface.covers (static_cast<std::int32_t> (i)) ? 1 : 0;
-  });
-  return uncovered;
-}
-
 } // namespace
 
 void
 growSurface (const SampleDimensions& dimensions, const std::vector<Role>& roles, FacetSet& surface)
 {
   const DelaunayComplex& complex = surface.complex ();
-  const std::vector<std::uint8_t> uncovered = uncoveredSamples (roles, surface);
+  const std::vector<std::uint8_t> coverage = surface.coverage ();
+  const auto isUncovered = [&] (std::int32_t sample) {
+    return roles[sample] == Role::SURFACE && (coverage[sample] & FacetSet::COVERED) == 0;
+  };
   std::vector<std::vector<Facet>> candidates_of (roles.size ());
   DisjointSets clusters (roles.size ());
   for (std::size_t i = 0; i < roles.size (); ++i) {
-    if (!uncovered[i])
-      continue;
     const auto sample = static_cast<std::int32_t> (i);
+    if (!isUncovered (sample))
+      continue;
     VoronoiCell (complex, sample).forEachEdge ([&] (std::int32_t cell, std::int32_t, int facet) {
       if (!isCandidate (dimensions, roles, cell, facet))
         return;
       candidates_of[i].push_back ({cell, facet});
       for (const std::int32_t vertex : oppositeSide (complex, cell, facet, sample))
-        if (uncovered[vertex])
+        if (isUncovered (vertex))
           clusters.join (static_cast<std::uint32_t> (sample), static_cast<std::uint32_t> (vertex));
     });
   }
@@ -63,15 +54,15 @@ growSurface (const SampleDimensions& dimensions, const std::vector<Role>& roles,
 std::vector<std::vector<std::int32_t>>
 boundaryLoops (const FacetSet& surface)
 {
-  const auto samples = static_cast<std::size_t> (surface.complex ().samples->size ());
+  const std::vector<std::uint8_t> coverage = surface.coverage ();
+  const std::size_t samples = coverage.size ();
   std::vector<std::array<std::int32_t, 2>> next (samples, {-1, -1});
-  parallelRanges (samples, [&] (std::size_t begin, std::size_t end) {
-    Fan fan;
-    for (std::size_t i = begin; i < end; ++i) {
+  Fan fan;
+  for (std::size_t i = 0; i < samples; ++i)
+    if (coverage[i] & FacetSet::OPEN) {
       surface.fanAt (static_cast<std::int32_t> (i), fan);
       next[i] = fan.ends ();
     }
-  });
   std::vector<std::vector<std::int32_t>> loops;
   std::vector<std::uint8_t> seen (samples, 0);
   for (std::size_t start = 0; start < samples; ++start) {

@@ -3,6 +3,7 @@
 #include "common/parallel.h"
 #include "extraction/candidates.h"
 #include "extraction/cell_star.h"
+#include "extraction/color_changes.h"
 #include "extraction/patches.h"
 #include "extraction/triangle_shape.h"
 
@@ -21,22 +22,6 @@ constexpr int MAX_BORDER = 12;
 // to vote.
 constexpr double MAX_GAP = 3.0;
 
-bool
-hasInfiniteVertex (const DelaunayComplex& complex, std::int32_t cell, int facet)
-{
-  const std::array<std::int32_t, 3> triangle = facetOf (complex, cell, facet);
-  return std::find (triangle.begin (), triangle.end (), DelaunayComplex::INFINITE_VERTEX) != triangle.end ();
-}
-
-/** Sorts the facets across which the colour changes. */
-enum class Kind : std::uint8_t
-{
-  NONE,
-  CANDIDATE,
-  OTHER,
-  INFINITE
-};
-
 class Opening
 {
 public:
@@ -44,21 +29,21 @@ public:
            const std::vector<std::uint8_t>& colors)
     : complex_ (*dimensions.complex), colors_ (colors), surface_ (complex_)
   {
-    const std::size_t cells = complex_.cells.size ();
-    std::vector<std::array<Kind, 4>> kinds (cells);
-    parallelFor (cells, [&] (std::size_t i) {
-      for (int k = 0; k < 4; ++k)
-        kinds[i][k] = classify (dimensions, roles, static_cast<std::int32_t> (i), k);
+    const std::vector<Facet> changes = colorChanges (complex_, colors);
+    std::vector<std::uint8_t> candidate (changes.size ());
+    parallelFor (changes.size (), [&] (std::size_t i) {
+      candidate[i] = !hasInfiniteVertex (complex_, changes[i]) &&
+                     isCandidate (dimensions, roles, changes[i].cell, changes[i].facet);
     });
-    for (std::size_t i = 0; i < cells; ++i)
-      for (int k = 0; k < 4; ++k) {
-        const auto cell = static_cast<std::int32_t> (i);
-        if (kinds[i][k] == Kind::CANDIDATE)
-          surface_.insert (cell, k);
-        else if (kinds[i][k] != Kind::NONE)
-          touch (cell, k);
-        if (kinds[i][k] == Kind::OTHER)
-          others_.push_back ({cell, k});
+    for (std::size_t i = 0; i < changes.size (); ++i)
+      if (candidate[i]) {
+        surface_.insert (changes[i].cell, changes[i].facet);
+      } else {
+        for (const std::int32_t vertex : facetOf (complex_, changes[i].cell, changes[i].facet))
+          if (vertex != DelaunayComplex::INFINITE_VERTEX)
+            touched_.push_back (vertex);
+        if (!hasInfiniteVertex (complex_, changes[i]))
+          others_.push_back (changes[i]);
       }
   }
 
@@ -79,24 +64,6 @@ public:
   }
 
 private:
-  Kind classify (const SampleDimensions& dimensions, const std::vector<Role>& roles, std::int32_t cell,
-                 int facet) const
-  {
-    const std::int32_t neighbor = complex_.neighbors[cell][facet];
-    if (neighbor < cell || colors_[cell] == colors_[neighbor])
-      return Kind::NONE;
-    if (hasInfiniteVertex (complex_, cell, facet))
-      return Kind::INFINITE;
-    return isCandidate (dimensions, roles, cell, facet) ? Kind::CANDIDATE : Kind::OTHER;
-  }
-
-  void touch (std::int32_t cell, int facet)
-  {
-    for (const std::int32_t vertex : facetOf (complex_, cell, facet))
-      if (vertex != DelaunayComplex::INFINITE_VERTEX)
-        touched_.push_back (vertex);
-  }
-
   // Whether a patch spans something that was not sampled.
   bool isOpening (const Patch& patch) const
   {
@@ -191,13 +158,9 @@ FacetSet
 closedSurface (const DelaunayComplex& complex, const std::vector<std::uint8_t>& colors)
 {
   FacetSet surface (complex);
-  for (std::size_t i = 0; i < complex.cells.size (); ++i)
-    for (int k = 0; k < 4; ++k) {
-      const auto cell = static_cast<std::int32_t> (i);
-      const std::int32_t neighbor = complex.neighbors[i][k];
-      if (cell < neighbor && colors[cell] != colors[neighbor] && !hasInfiniteVertex (complex, cell, k))
-        surface.insert (cell, k);
-    }
+  for (const Facet& change : colorChanges (complex, colors))
+    if (!hasInfiniteVertex (complex, change))
+      surface.insert (change.cell, change.facet);
   return surface;
 }
 

@@ -73,34 +73,35 @@ computeNormal (const VoronoiCell& cell, Subpolytopes& result)
   result.heights[2] = unbounded.empty () ? farthest.norm () : INFINITE_HEIGHT;
 }
 
-// Where the plane through p orthogonal to the normal meets the Voronoi edge between the cells a and b, if it
-// does.
-bool
-crossEdge (const DelaunayComplex& complex, const VoronoiCell& cell, const Eigen::Vector3d& normal,
-           std::int32_t a, std::int32_t b, int facet, Eigen::Vector3d& crossing)
+// The circumcentre, relative to p, of the triangle of an infinite cell.
+Eigen::Vector3d
+triangleCenter (const DelaunayComplex& complex, const VoronoiCell& cell, std::int32_t infinite)
 {
-  const Eigen::Vector3d vb = cell.vertex (b);
-  const double sb = vb.dot (normal);
-  if (cell.isInfinite (a)) { // samples in a plane: the edge is a line through the centre of the triangle
-    if (sb == 0.0)
-      return false;
-    const DelaunayComplex::Cell& vertices = complex.cells[a];
-    std::array<std::int32_t, 3> triangle{};
-    for (int k = 0, count = 0; k < 4; ++k)
-      if (k != facet)
-        triangle[count++] = vertices[k];
-    const Eigen::Vector3d center =
-      circumcenter (cell.relative (triangle[0]), cell.relative (triangle[1]), cell.relative (triangle[2]));
-    crossing = center - center.dot (normal) / sb * vb;
-    return true;
-  }
+  const DelaunayComplex::Cell& vertices = complex.cells[infinite];
+  return circumcenter (cell.relative (vertices[0]), cell.relative (vertices[1]), cell.relative (vertices[2]));
+}
+
+// Where the Voronoi edge from the vertex a, which is on the positive side of the plane through p orthogonal
+// to the normal, to the vertex b, which is not, crosses the plane; p if it does not in any finite place. The
+// height of both is given.
+Eigen::Vector3d
+crossing (const DelaunayComplex& complex, const VoronoiCell& cell, const Eigen::Vector3d& normal,
+          std::int32_t a, double height_a, std::int32_t b, double height_b, int facet)
+{
   const Eigen::Vector3d va = cell.vertex (a);
-  const double sa = va.dot (normal);
-  if (!((sa <= 0.0 && sb >= 0.0) || (sa >= 0.0 && sb <= 0.0)) || sa == sb)
-    return false;
-  crossing = cell.isInfinite (b) ? Eigen::Vector3d (va - sa / sb * vb)
-                                 : Eigen::Vector3d (va + sa / (sa - sb) * (vb - va));
-  return sb != 0.0 || !cell.isInfinite (b);
+  const Eigen::Vector3d vb = cell.vertex (b);
+  if (!cell.isInfinite (a) && !cell.isInfinite (b))
+    return va + height_a / (height_a - height_b) * (vb - va);
+  if (!cell.isInfinite (a))
+    return height_b < 0.0 ? Eigen::Vector3d (va - height_a / height_b * vb)
+                          : Eigen::Vector3d (Eigen::Vector3d::Zero ());
+  if (!cell.isInfinite (b))
+    return vb - height_b / height_a * va;
+  if (complex.cells[a][facet] != DelaunayComplex::INFINITE_VERTEX)
+    return Eigen::Vector3d::Zero (); // an edge at infinity
+  // Samples in a plane: the edge is the line through the centre of their triangle.
+  const Eigen::Vector3d center = triangleCenter (complex, cell, a);
+  return center - center.dot (normal) / height_a * va;
 }
 
 // The pole of V2, the section of the cell by the plane through p orthogonal to the normal.
@@ -132,12 +133,22 @@ computeBinormal (const DelaunayComplex& complex, const VoronoiCell& cell, Subpol
     return;
   }
   Eigen::Vector3d farthest = Eigen::Vector3d::Zero ();
-  cell.forEachEdge ([&] (std::int32_t a, std::int32_t b, int facet) {
-    Eigen::Vector3d crossing;
-    if (crossEdge (complex, cell, normal, a, b, facet, crossing) &&
-        crossing.squaredNorm () > farthest.squaredNorm ())
-      farthest = crossing;
-  });
+  for (const std::int32_t a : cell) {
+    const double height_a = cell.vertex (a).dot (normal);
+    if (!(height_a > 0.0))
+      continue;
+    for (int facet = 0; facet < 4; ++facet) {
+      if (complex.cells[a][facet] == cell.sample ())
+        continue;
+      const std::int32_t b = complex.neighbors[a][facet];
+      const double height_b = cell.vertex (b).dot (normal);
+      if (height_b > 0.0)
+        continue;
+      const Eigen::Vector3d place = crossing (complex, cell, normal, a, height_a, b, height_b, facet);
+      if (place.squaredNorm () > farthest.squaredNorm ())
+        farthest = place;
+    }
+  }
   result.heights[1] = farthest.norm ();
   // Far crossings carry rounding errors along the normal.
   result.binormal = normalizedOr (farthest - farthest.dot (normal) * normal, normal.unitOrthogonal ());
@@ -153,11 +164,14 @@ computeTangent (const VoronoiCell& cell, Subpolytopes& result)
   cell.forEachNeighbor ([&] (std::int32_t q) {
     const Eigen::Vector3d to_neighbor = cell.relative (q);
     const double along = to_neighbor.dot (result.tangent);
-    const double reach = to_neighbor.squaredNorm () / (2.0 * std::abs (along));
-    if (along > 0.0)
-      ahead = std::min (ahead, reach);
-    else if (along < 0.0)
-      behind = std::min (behind, reach);
+    // The bisector of p and q cuts the line at |q|^2 / (2 along): divided only where that is nearer.
+    const double squared = to_neighbor.squaredNorm ();
+    if (along > 0.0) {
+      if (squared < 2.0 * along * ahead)
+        ahead = squared / (2.0 * along);
+    } else if (along < 0.0 && squared < -2.0 * along * behind) {
+      behind = squared / (-2.0 * along);
+    }
   });
   if (behind > ahead)
     result.tangent = -result.tangent;

@@ -82,7 +82,8 @@ public:
           visit (vertex);
   }
 
-private:
+  /** Calls visit (a, b, facet) once for every facet at p, with or without infinite vertex: a < b are its
+   * cells. */
   template <typename Visit>
   void forEachFacet (const Visit& visit) const
   {
@@ -92,6 +93,7 @@ private:
           visit (cell, complex_.neighbors[cell][k], k);
   }
 
+private:
   const DelaunayComplex& complex_;
   std::int32_t sample_;
   Eigen::Vector3d point_;

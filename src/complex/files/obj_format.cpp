@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
+#include <cmath>
+#include <limits>
 
 namespace pcl {
 namespace manifold {
@@ -14,14 +15,18 @@ namespace {
 
 using Field = pcl::PCLPointField;
 
-/** \brief How many digits of a number's text carry its value. */
-std::size_t
-significantDigits (std::string_view text)
+/** \brief Is a coordinate beyond the range of float, or written with more digits than tell every float from
+ * every other? */
+bool
+needsDouble (std::string_view text, double value)
 {
+  const auto narrow = static_cast<float> (value);
+  if (std::isinf (narrow) != std::isinf (value) || (narrow == 0) != (value == 0))
+    return true;
   text = text.substr (0, text.find_first_of ("eE"));
   text.remove_prefix (std::min (text.find_first_of ("123456789"), text.size ()));
-  return static_cast<std::size_t> (
-    std::count_if (text.begin (), text.end (), [] (unsigned char c) { return std::isdigit (c) != 0; }));
+  return std::count_if (text.begin (), text.end (), [] (unsigned char c) { return std::isdigit (c) != 0; }) >
+         std::numeric_limits<float>::max_digits10;
 }
 
 /** \brief Reads the statements of an OBJ file, line by line. */
@@ -67,7 +72,7 @@ private:
       if (!parseNumber (word, value))
         scanner_.failAtWord ("a coordinate", word);
       coordinates_.push_back (value);
-      most_digits_ = std::max (most_digits_, significantDigits (word));
+      wide_ = wide_ || needsDouble (word, value);
     }
   }
 
@@ -104,19 +109,17 @@ private:
 
   std::vector<CloudColumn> columns () const
   {
-    // Nine digits tell every float from every other.
-    const bool wide = most_digits_ > 9;
-    const std::size_t size = wide ? sizeof (double) : sizeof (float);
+    const std::size_t size = wide_ ? sizeof (double) : sizeof (float);
     std::vector<CloudColumn> columns;
     for (std::size_t k = 0; k < 3; ++k) {
       columns.push_back (
-        {std::string (1, static_cast<char> ('x' + k)), wide ? Field::FLOAT64 : Field::FLOAT32, 1, {}});
+        {std::string (1, static_cast<char> ('x' + k)), wide_ ? Field::FLOAT64 : Field::FLOAT32, 1, {}});
       std::vector<std::uint8_t>& data = columns.back ().data;
       data.resize (coordinates_.size () / 3 * size);
       for (std::size_t i = 0; i < coordinates_.size () / 3; ++i) {
         const double value = coordinates_[3 * i + k];
         const auto narrow = static_cast<float> (value);
-        std::memcpy (data.data () + i * size, wide ? static_cast<const void*> (&value) : &narrow, size);
+        std::memcpy (data.data () + i * size, wide_ ? static_cast<const void*> (&value) : &narrow, size);
       }
     }
     return columns;
@@ -125,7 +128,7 @@ private:
   Scanner scanner_;
   FileContent content_;
   std::vector<double> coordinates_;
-  std::size_t most_digits_ = 0;
+  bool wide_ = false; ///< is float not enough for some coordinate?
   pcl::Indices indices_;
   pcl::index_t largest_ = -1;   ///< vertex of any line or face
   std::size_t largest_end_ = 0; ///< where it was read

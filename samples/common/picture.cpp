@@ -1,0 +1,40 @@
+#include "picture.h"
+
+#include "app_error.h"
+#include "atomic_file.h"
+#include "output_stream.h"
+#include "picture_display.h"
+#include "render_panels.h"
+
+#include <stdexcept>
+
+namespace pcl::manifold::apps {
+
+Picture::Picture (const std::string& file) : file_ (file)
+{
+  if (!wanted ())
+    return;
+  checkWritable (file);
+  try {
+    display_ = std::make_unique<PictureDisplay> ();
+  } catch (const std::runtime_error& error) {
+    throw AppError (file, error.what ());
+  }
+}
+
+Picture::~Picture () = default;
+
+void
+Picture::draw (const std::string& title, const std::vector<Panel>& panels, int width, int height) const
+{
+  if (!wanted ())
+    return;
+  const std::string png = renderPanels (title, panels, width, height);
+  if (png.empty ())
+    throw AppError (file_, "the picture could not be drawn");
+  writeStream (file_, [&png] (std::ostream& stream) {
+    stream.write (png.data (), static_cast<std::streamsize> (png.size ()));
+  });
+}
+
+} // namespace pcl::manifold::apps

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "scene.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pcl::manifold::apps {
+
+class PictureDisplay;
+
+/** \brief A picture that an app draws at its end, if the user asked for it. Works without a screen. */
+class Picture
+{
+public:
+  /** \brief Finds out early whether the picture will be possible.
+   * \param[in] file name of the PNG file to write; empty: no picture is wanted
+   * \throws AppError if the file cannot be written, or there is no way to draw (see PictureDisplay) */
+  explicit Picture (const std::string& file);
+
+  Picture (const Picture&) = delete;
+  Picture& operator= (const Picture&) = delete;
+
+  ~Picture ();
+
+  /** \brief Did the user ask for it? */
+  bool wanted () const { return !file_.empty (); }
+
+  /** \brief Draws the panels side by side, on white, each with its caption and its legend, under a title;
+   * writes the file atomically. Back faces of triangles have another tint. Does nothing if no picture is
+   * wanted.
+   * \param[in] title one line
+   * \param[in] panels at least one
+   * \param[in] width of the picture, in pixels
+   * \param[in] height of the picture, in pixels
+   * \throws AppError if drawing or writing fails */
+  void draw (const std::string& title, const std::vector<Panel>& panels, int width = 1600,
+             int height = 900) const;
+
+private:
+  std::string file_;
+  std::unique_ptr<PictureDisplay> display_;
+};
+
+} // namespace pcl::manifold::apps

@@ -1,0 +1,47 @@
+#include "sample_input.h"
+
+#include <pcl/conversions.h>
+
+namespace pcl::manifold::apps {
+
+pcl::PointCloud<pcl::PointXYZ>::Ptr
+pointsOf (const InputCloud& input)
+{
+  auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> ();
+  pcl::fromPCLPointCloud2 (input.cloud, *cloud);
+  return cloud;
+}
+
+void
+describeInput (const InputCloud& input, const SampleSet& samples, Report& report, Table& table)
+{
+  report.input ("file", input.file);
+  report.input ("points", Json::UInt64 (input.size ()));
+  report.input ("dropped", Json::UInt64 (samples.non_finite));
+  report.input ("duplicates", Json::UInt64 (samples.duplicates));
+  report.input ("thinned", Json::UInt64 (samples.thinned));
+  report.input ("samples", Json::Int64 (samples.size ()));
+  Json::Value origin (Json::arrayValue);
+  for (const double coordinate : input.origin)
+    origin.append (coordinate);
+  report.input ("origin", origin);
+  table.row ("points", input.size ());
+  if (samples.non_finite > 0)
+    table.row ("dropped, not finite", samples.non_finite);
+  if (samples.duplicates > 0)
+    table.row ("duplicates", samples.duplicates);
+  table.row ("samples", static_cast<std::size_t> (samples.size ()));
+}
+
+void
+describeStages (const std::vector<Stage>& stages, Report& report, Table& table)
+{
+  double total = 0.0;
+  for (const Stage& stage : stages) {
+    report.stage (stage.name, stage.seconds, stage.peak_bytes);
+    total += stage.seconds;
+  }
+  table.row ("time", total, "s");
+}
+
+} // namespace pcl::manifold::apps

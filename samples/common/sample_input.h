@@ -1,0 +1,23 @@
+#pragma once
+
+#include "cloud_reader.h"
+#include "report.h"
+#include "table.h"
+
+#include <pcl/manifold/detail/sample_set.h>
+#include <pcl/manifold/detail/stage_log.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <vector>
+
+namespace pcl::manifold::apps {
+
+/** \brief The coordinates of a cloud that was read, for the classes of the library. */
+pcl::PointCloud<pcl::PointXYZ>::Ptr pointsOf (const InputCloud& input);
+
+/** \brief Reports and tabulates what became of the points of a cloud, and the stages of a computation. */
+void describeInput (const InputCloud& input, const SampleSet& samples, Report& report, Table& table);
+void describeStages (const std::vector<Stage>& stages, Report& report, Table& table);
+
+} // namespace pcl::manifold::apps

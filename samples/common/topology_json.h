@@ -1,0 +1,13 @@
+#pragma once
+
+#include "report.h"
+#include "table.h"
+
+#include <pcl/manifold/topology_report.h>
+
+namespace pcl::manifold::apps {
+
+/** \brief Reports and tabulates the topology of a complex. */
+void describeTopology (const pcl::TopologyReport& topology, Report& report, Table& table);
+
+} // namespace pcl::manifold::apps

@@ -1,0 +1,105 @@
+#include "app_error.h"
+#include "app_main.h"
+#include "atomic_file.h"
+#include "complex_layers.h"
+#include "picture.h"
+#include "progress.h"
+#include "sample_input.h"
+#include "topology_json.h"
+
+#include <pcl/manifold/cocone_shape.h>
+#include <pcl/manifold/complex_io.h>
+
+#include <iostream>
+
+using namespace pcl::manifold;
+using namespace pcl::manifold::apps;
+
+namespace {
+
+// The dimension of the manifold that every point belongs to.
+std::vector<std::uint8_t>
+dimensionsOfPoints (const SampleDimensions& dimensions)
+{
+  const std::vector<std::int32_t>& sample_of = dimensions.complex->samples->sample_of;
+  std::vector<std::uint8_t> result (sample_of.size (), 0);
+  for (std::size_t i = 0; i < sample_of.size (); ++i)
+    if (sample_of[i] >= 0)
+      result[i] = dimensions.manifold_dimension[sample_of[i]];
+  return result;
+}
+
+} // namespace
+
+int
+main (int argc, char** argv)
+{
+  CommandLine command_line ("pcl_cocone_shape",
+                            "Reconstructs the curves, surfaces and solids of a cloud as edges, triangles and tetrahedra\n"
+                            "over its points.");
+  std::string input_file;
+  std::string output_file;
+  double rho = 0.3;
+  int k = 0;
+  double spacing = 0.0;
+  bool watertight = false;
+  CommonOptions common;
+  command_line.positional ("INPUT", std::string ("cloud: ") + cloud_file_types, input_file)
+      .positional ("OUTPUT", "mesh: .ply .obj .vtk .vtu (tetrahedra in the last two only, else their boundary)", output_file)
+      .option ("rho", "r", "largest ratio of heights that still makes a normal direction, in (0, 1]", rho, {1e-9, 1.0})
+      .option ("k", "k", "thin the cloud: no two samples among each other's k nearest neighbours; 0 = off.\n"
+                         "4 to 8 for airborne scans, 24 to 48 for random or noisy points",
+               k, {0, 100000})
+      .option ("spacing", "h", "thin the cloud: no two samples nearer than h; 0 = off", spacing, {0, 1e300})
+      .flag ("watertight", "close every surface", watertight)
+      .common (common)
+      .example ("pcl_cocone_shape scan.pcd shape.ply -report shape.json -picture shape.png");
+
+  return runApp (argc, argv, command_line, [&] {
+    std::string error;
+    if (!canSaveComplex (output_file, error))
+      throw AppError (output_file, error);
+    if (!common.report.empty ())
+      checkWritable (common.report);
+    const Picture picture (common.picture);
+    const InputCloud input = readCloud (input_file);
+
+    pcl::CoconeShape<pcl::PointXYZ> reconstruction;
+    reconstruction.setInputCloud (pointsOf (input));
+    reconstruction.setRho (rho);
+    reconstruction.setKSearch (k);
+    reconstruction.setSpacing (spacing);
+    reconstruction.setWatertight (watertight);
+    reconstruction.setNumberOfThreads (static_cast<unsigned int> (common.threads));
+    pcl::SimplicialComplex shape;
+    {
+      Progress progress ("shape", common.quiet);
+      reconstruction.setProgressCallback (progress.callback ());
+      reconstruction.reconstruct (shape);
+    }
+    requireOk (input_file, reconstruction.getStatus ());
+
+    Report report ("pcl_cocone_shape");
+    Table table;
+    describeInput (input, *reconstruction.getDelaunayComplex ()->samples, report, table);
+    report.parameter ("rho", rho);
+    report.parameter ("k", k);
+    report.parameter ("spacing", spacing);
+    report.parameter ("watertight", watertight);
+    report.parameter ("threads", common.threads);
+    describeTopology (analyze (shape), report, table);
+    describeStages (reconstruction.getStages (), report, table);
+
+    if (!saveComplex (output_file, input.cloud, shape, error))
+      throw AppError (output_file, error);
+    const auto positions = positionsOf (input.cloud);
+    picture.draw (
+        input_file,
+        {{"points", layersByDimension (positions, dimensionsOfPoints (*reconstruction.getSampleDimensions ()))},
+         {"shape", layersOf (positions, shape)}});
+    if (!common.report.empty ())
+      report.write (common.report);
+    if (!common.quiet)
+      table.print (std::cout);
+  });
+}

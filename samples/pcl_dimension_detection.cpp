@@ -1,0 +1,125 @@
+#include "app_main.h"
+#include "atomic_file.h"
+#include "cloud_fields.h"
+#include "cloud_writer.h"
+#include "complex_layers.h"
+#include "picture.h"
+#include "progress.h"
+#include "sample_input.h"
+
+#include <pcl/manifold/dimension_detection.h>
+
+#include <algorithm>
+#include <iostream>
+
+using namespace pcl::manifold;
+using namespace pcl::manifold::apps;
+
+namespace {
+
+std::size_t
+countOf (const std::vector<std::uint8_t>& labels, int label)
+{
+  return static_cast<std::size_t> (std::count (labels.begin (), labels.end (), label));
+}
+
+void
+describeDimensions (const std::string& name, const std::vector<std::uint8_t>& labels, Report& report, Table& table)
+{
+  static const char* const KINDS[] = {"none", "curve", "surface", "solid"};
+  Json::Value counts (Json::objectValue);
+  std::string text;
+  for (int dimension = 0; dimension <= 3; ++dimension) {
+    const std::size_t count = countOf (labels, dimension);
+    counts[KINDS[dimension]] = Json::UInt64 (count);
+    if (dimension > 0)
+      text += std::string (text.empty () ? "" : ", ") + grouped (count) + " " + KINDS[dimension];
+  }
+  report.result (name, counts);
+  table.row (name, text);
+}
+
+} // namespace
+
+int
+main (int argc, char** argv)
+{
+  CommandLine command_line (
+      "pcl_dimension_detection",
+      "Tells for every point of a cloud the dimension of the shape that it lies on: 1 curve, 2 surface, 3 solid.\n"
+      "Adds the fields dimension (as published: 1 also at the rim of a surface, 2 also at the skin of a solid),\n"
+      "manifold_dimension, boundary (is it on the rim, skin or end of its manifold) and confidence.");
+  std::string input_file;
+  std::string output_file;
+  double rho = 0.3;
+  int k = 0;
+  double spacing = 0.0;
+  CommonOptions common;
+  command_line.positional ("INPUT", std::string ("cloud: ") + cloud_file_types, input_file)
+      .positional ("OUTPUT", "cloud with the fields of the input and the new ones: .pcd", output_file)
+      .option ("rho", "r", "largest ratio of heights that still makes a normal direction, in (0, 1]", rho, {1e-9, 1.0})
+      .option ("k", "k", "thin the cloud: no two samples among each other's k nearest neighbours; 0 = off.\n"
+                         "4 to 8 for airborne scans, 24 to 48 for random or noisy points",
+               k, {0, 100000})
+      .option ("spacing", "h", "thin the cloud: no two samples nearer than h; 0 = off", spacing, {0, 1e300})
+      .common (common)
+      .example ("pcl_dimension_detection scan.pcd dimensions.pcd -k 6 -picture dimensions.png");
+
+  return runApp (argc, argv, command_line, [&] {
+    checkWritable (output_file);
+    if (!common.report.empty ())
+      checkWritable (common.report);
+    const Picture picture (common.picture);
+    InputCloud input = readCloud (input_file);
+
+    pcl::DimensionDetection<pcl::PointXYZ> detection;
+    detection.setInputCloud (pointsOf (input));
+    detection.setRho (rho);
+    detection.setKSearch (k);
+    detection.setSpacing (spacing);
+    detection.setNumberOfThreads (static_cast<unsigned int> (common.threads));
+    pcl::PointCloud<pcl::Label> labels;
+    {
+      Progress progress ("dimension", common.quiet);
+      // The library's part of the work ends at 0.7: the rest is that of CoconeShape.
+      detection.setProgressCallback ([&progress] (float fraction) { return progress.update (fraction / 0.7f); });
+      detection.compute (labels);
+    }
+    requireOk (input_file, detection.getStatus ());
+
+    std::vector<std::uint8_t> dimension (labels.size ());
+    std::transform (labels.begin (), labels.end (), dimension.begin (), [] (const pcl::Label& label) {
+      return static_cast<std::uint8_t> (label.label);
+    });
+    const std::vector<std::uint8_t> manifold_dimension = detection.getManifoldDimension ();
+    const std::vector<std::uint8_t> boundary = detection.getBoundary ();
+    setField (input.cloud, "dimension", dimension);
+    setField (input.cloud, "manifold_dimension", manifold_dimension);
+    setField (input.cloud, "boundary", boundary);
+    setField (input.cloud, "confidence", detection.getConfidence ());
+
+    Report report ("pcl_dimension_detection");
+    Table table;
+    describeInput (input, *detection.getDelaunayComplex ()->samples, report, table);
+    report.parameter ("rho", rho);
+    report.parameter ("k", k);
+    report.parameter ("spacing", spacing);
+    report.parameter ("threads", common.threads);
+    report.result ("affine_dimension", detection.getDelaunayComplex ()->affine_dimension);
+    report.result ("tetrahedra", detection.getDelaunayComplex ()->finite_cells);
+    describeDimensions ("dimension", dimension, report, table);
+    describeDimensions ("manifold_dimension", manifold_dimension, report, table);
+    report.result ("boundary", Json::UInt64 (countOf (boundary, 1)));
+    table.row ("boundary", countOf (boundary, 1));
+    describeStages (detection.getStages (), report, table);
+
+    const auto positions = positionsOf (input.cloud);
+    picture.draw (input_file, {{"dimension, as published", layersByDimension (positions, dimension)},
+                               {"manifold dimension", layersByDimension (positions, manifold_dimension)}});
+    writePcd (output_file, input.cloud, input.viewpoint);
+    if (!common.report.empty ())
+      report.write (common.report);
+    if (!common.quiet)
+      table.print (std::cout);
+  });
+}

@@ -1,0 +1,264 @@
+// What the apps share apart from files: command line, failures, numbers, tables, progress.
+#include "app_error.h"
+#include "app_main.h"
+#include "command_line.h"
+#include "interrupt.h"
+#include "number_text.h"
+#include "progress.h"
+#include "table.h"
+#include "test_apps_folder.h"
+
+#include <pcl/PCLPointField.h>
+
+#include <csignal>
+#include <cstring>
+#include <limits>
+#include <new>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+using namespace pcl::manifold::apps;
+
+namespace {
+
+/** \brief An app with one option of each kind. */
+struct App
+{
+  std::string input, output, name = "none";
+  double rho = 0.3;
+  int k = 0;
+  std::uint64_t seed = 1;
+  bool closed = false;
+  CommonOptions common;
+  CommandLine line{"some_app", "Does something."};
+  std::string out, err;
+
+  App ()
+  {
+    line.positional ("INPUT", "the cloud", input)
+      .positional ("OUTPUT", "the result", output)
+      .option ("rho", "r", "a ratio", rho, {0, 1, true})
+      .option ("k", "k", "neighbours", k, {-5, 100})
+      .option ("seed", "s", "seed", seed)
+      .option ("name", "text", "a name\nof two lines", name)
+      .flag ("closed", "close it", closed)
+      .common (common)
+      .example ("some_app in.pcd out.pcd -rho 0.4");
+  }
+
+  int run (
+    std::vector<const char*> arguments, const std::function<void ()>& body = [] {})
+  {
+    arguments.insert (arguments.begin (), "some_app");
+    testing::internal::CaptureStdout ();
+    testing::internal::CaptureStderr ();
+    const int status = runApp (static_cast<int> (arguments.size ()), arguments.data (), line, body);
+    out = testing::internal::GetCapturedStdout ();
+    err = testing::internal::GetCapturedStderr ();
+    return status;
+  }
+};
+
+} // namespace
+
+TEST (CommandLine, ReadsEveryKindOfOption)
+{
+  App app;
+  EXPECT_EQ (
+    app.run ({"-rho", "0.45", "in.pcd", "-k", "-3", "out.pcd", "--seed=18446744073709551615", "-closed",
+              "-name", "-0.5", "-threads", "2", "-quiet", "-report", "r.json", "-picture=p.png"}),
+    0);
+  EXPECT_EQ (app.err, "");
+  EXPECT_EQ (app.input, "in.pcd");
+  EXPECT_EQ (app.output, "out.pcd");
+  EXPECT_EQ (app.rho, 0.45);
+  EXPECT_EQ (app.k, -3);
+  EXPECT_EQ (app.seed, std::numeric_limits<std::uint64_t>::max ());
+  EXPECT_EQ (app.name, "-0.5");
+  EXPECT_TRUE (app.closed);
+  EXPECT_EQ (app.common.threads, 2);
+  EXPECT_TRUE (app.common.quiet);
+  EXPECT_EQ (app.common.report, "r.json");
+  EXPECT_EQ (app.common.picture, "p.png");
+}
+
+TEST (CommandLine, KeepsDefaults)
+{
+  App app;
+  EXPECT_EQ (app.run ({"in.pcd", "out.pcd"}), 0);
+  EXPECT_EQ (app.rho, 0.3);
+  EXPECT_EQ (app.name, "none");
+  EXPECT_FALSE (app.closed);
+  EXPECT_FALSE (app.common.quiet);
+}
+
+TEST (CommandLine, PrintsTheSameHelpForEveryRequest)
+{
+  App app;
+  bool ran = false;
+  EXPECT_EQ (app.run ({}, [&] { ran = true; }), 0);
+  const std::string help = app.out;
+  EXPECT_TRUE (contains (help, "Usage: some_app INPUT OUTPUT [-option value ...]\n"));
+  EXPECT_TRUE (contains (help, "-rho r "));
+  EXPECT_TRUE (contains (help, "a ratio (default 0.3)\n"));
+  EXPECT_TRUE (contains (help, "some_app in.pcd out.pcd -rho 0.4\n"));
+  for (const char* const request : {"-h", "-help", "--help"}) {
+    EXPECT_EQ (app.run ({"in.pcd", request, "-rho"}, [&] { ran = true; }), 0);
+    EXPECT_EQ (app.out, help);
+    EXPECT_EQ (app.err, "");
+  }
+  EXPECT_FALSE (ran);
+}
+
+TEST (CommandLine, NamesWhatIsWrong)
+{
+  const std::vector<std::pair<std::vector<const char*>, std::string>> cases = {
+    {{"in.pcd", "out.pcd", "-rho", "much"}, "error: -rho: 'much' is no number\n"},
+    {{"in.pcd", "out.pcd", "-rho", "nan"}, "error: -rho: 'nan' is not between 0 and 1\n"},
+    {{"in.pcd", "out.pcd", "-rho", "1"}, "error: -rho: '1' is not between 0 and 1\n"},
+    {{"in.pcd", "out.pcd", "-k", "101"}, "error: -k: '101' is not from -5 to 100\n"},
+    {{"in.pcd", "out.pcd", "-k", "2.5"}, "error: -k: '2.5' is no whole number that fits\n"},
+    {{"in.pcd", "out.pcd", "-k", "99999999999"}, "error: -k: '99999999999' is no whole number that fits\n"},
+    {{"in.pcd", "out.pcd", "-seed", "-1"}, "error: -seed: '-1' is no whole number that fits\n"},
+    {{"in.pcd", "out.pcd", "-rho"}, "error: -rho: needs a value\n"},
+    {{"in.pcd", "out.pcd", "-rho", "-k", "3"}, "error: -rho: needs a value\n"},
+    {{"in.pcd", "out.pcd", "-rho="}, "error: -rho: needs a value\n"},
+    {{"in.pcd", "out.pcd", "-closed=1"}, "error: -closed: takes no value\n"},
+    {{"in.pcd", "out.pcd", "-k", "1", "-k", "2"}, "error: -k: given more than once\n"},
+    {{"in.pcd", "out.pcd", "-wrong", "1"}, "error: -wrong: unknown option, see -h\n"},
+    {{"in.pcd", "out.pcd", "--wrong"}, "error: -wrong: unknown option, see -h\n"},
+    {{"in.pcd", "out.pcd", "-clos"}, "error: -clos: unknown option, see -h\n"},
+    {{"in.pcd", "out.pcd", "third"}, "error: 'third': one argument too many, see -h\n"},
+    {{"in.pcd"}, "error: OUTPUT: missing, see -h\n"},
+    {{"-quiet"}, "error: INPUT: missing, see -h\n"},
+    {{"in.pcd", "out.pcd", "-picture", "a.jpg"}, "error: -picture: 'a.jpg' does not end in .png\n"},
+    {{"in.pcd", ""}, "error: OUTPUT: is empty\n"},
+  };
+  for (const auto& [arguments, message] : cases) {
+    App app;
+    EXPECT_EQ (app.run (arguments), 2) << message;
+    EXPECT_EQ (app.err, message);
+    EXPECT_EQ (app.out, "");
+  }
+}
+
+TEST (App, TurnsEveryExceptionIntoOneLine)
+{
+  App app;
+  EXPECT_EQ (app.run ({"in.pcd", "out"}, [] { throw AppError ("a.pcd", "line 3:\nbad"); }), 1);
+  EXPECT_EQ (app.err, "error: a.pcd: line 3: bad\n");
+  EXPECT_EQ (app.run ({"in.pcd", "out"}, [] { throw UsageError ("OUTPUT", "must end in .pcd"); }), 2);
+  EXPECT_EQ (app.err, "error: OUTPUT: must end in .pcd\n");
+  EXPECT_EQ (app.run ({"in.pcd", "out"}, [] { throw std::bad_alloc (); }), 1);
+  EXPECT_EQ (app.err, "error: in.pcd: out of memory\n");
+  EXPECT_EQ (app.run ({"in.pcd", "out"}, [] { throw std::logic_error ("odd"); }), 1);
+  EXPECT_EQ (app.err, "error: in.pcd: odd\n");
+  EXPECT_EQ (app.run ({"in.pcd", "out"}, [] { throw 5; }), 1);
+  EXPECT_EQ (app.err, "error: in.pcd: unknown failure\n");
+  EXPECT_EQ (app.run ({"in.pcd", "out"}, [] { requireOk ("in.pcd", pcl::manifold::Status::TOO_FEW_POINTS); }),
+             1);
+  EXPECT_EQ (app.err, "error: in.pcd: holds too few distinct points\n");
+  EXPECT_EQ (app.run ({"in.pcd", "out"}, [] { requireOk ("in.pcd", pcl::manifold::Status::OK); }), 0);
+}
+
+TEST (Progress, PrintsALinePerTenPercent)
+{
+  testing::internal::CaptureStderr ();
+  {
+    Progress progress ("counting", false);
+    const pcl::manifold::ProgressCallback callback = progress.callback ();
+    for (int i = 0; i <= 1000; ++i)
+      EXPECT_TRUE (callback (static_cast<float> (i) / 1000));
+  }
+  std::string expected;
+  for (int percent = 0; percent <= 100; percent += 10)
+    expected += "counting: " + std::to_string (percent) + " %\n";
+  EXPECT_EQ (testing::internal::GetCapturedStderr (), expected);
+}
+
+TEST (Progress, IsSilentIfQuiet)
+{
+  testing::internal::CaptureStderr ();
+  Progress ("counting", true).update (0.5f);
+  EXPECT_EQ (testing::internal::GetCapturedStderr (), "");
+}
+
+TEST (Progress, CancelsAtTheFirstInterrupt)
+{
+  // In a process of its own: the signal is noted for good.
+  EXPECT_EXIT (
+    {
+      noteInterrupts ();
+      Progress progress ("counting", true);
+      const bool before = progress.update (0.1f);
+      raise (SIGINT);
+      const bool after = progress.update (0.2f);
+      const std::string message = messageOf<AppError> ([] { throwIfInterrupted ("in.pcd"); });
+      std::_Exit (before && !after && message == "in.pcd: cancelled" ? 7 : 8);
+    },
+    testing::ExitedWithCode (7), "");
+  EXPECT_EXIT (
+    {
+      noteInterrupts ();
+      raise (SIGINT);
+      raise (SIGINT);
+    },
+    testing::KilledBySignal (SIGINT), "");
+}
+
+TEST (Numbers, AreReadWholeOrNotAtAll)
+{
+  double number = 7;
+  for (const char* const text : {"", "-", "+", "+-1", "1x", "0x10", "1,5", " 1", "1 ", "--1", "e5", "."})
+    EXPECT_FALSE (parseNumber (std::string_view (text), number)) << text;
+  EXPECT_EQ (number, 7);
+  const std::vector<std::pair<const char*, double>> numbers = {
+    {"0", 0},
+    {"-1.5", -1.5},
+    {"+2", 2},
+    {".5", 0.5},
+    {"1e3", 1000},
+    {"0.1", 0.1},
+    {"1e999", std::numeric_limits<double>::infinity ()},
+    {"-inf", -std::numeric_limits<double>::infinity ()},
+    {"1e-999", 0}};
+  for (const auto& [text, value] : numbers) {
+    EXPECT_TRUE (parseNumber (std::string_view (text), number)) << text;
+    EXPECT_EQ (number, value) << text;
+  }
+  EXPECT_TRUE (parseNumber (std::string_view ("NaN"), number));
+  EXPECT_NE (number, number);
+}
+
+TEST (Numbers, FitTheirField)
+{
+  std::uint8_t bytes[8] = {};
+  EXPECT_TRUE (parseField ("255", pcl::PCLPointField::UINT8, bytes));
+  EXPECT_EQ (fieldAsDouble (pcl::PCLPointField::UINT8, bytes), 255);
+  EXPECT_FALSE (parseField ("256", pcl::PCLPointField::UINT8, bytes));
+  EXPECT_FALSE (parseField ("-1", pcl::PCLPointField::UINT8, bytes));
+  EXPECT_FALSE (parseField ("1.5", pcl::PCLPointField::INT16, bytes));
+  EXPECT_TRUE (parseField ("-3e2", pcl::PCLPointField::INT16, bytes));
+  EXPECT_EQ (fieldAsDouble (pcl::PCLPointField::INT16, bytes), -300);
+  EXPECT_FALSE (parseField ("nan", pcl::PCLPointField::INT32, bytes));
+  EXPECT_FALSE (parseField ("18446744073709551616", pcl::PCLPointField::UINT64, bytes));
+  EXPECT_TRUE (parseField ("16777217", pcl::PCLPointField::UINT32, bytes));
+  EXPECT_EQ (fieldAsDouble (pcl::PCLPointField::UINT32, bytes), 16777217);
+  EXPECT_FALSE (parseField ("1", 99, bytes));
+}
+
+TEST (Table, AlignsItsColumns)
+{
+  Table table;
+  table.row ("points", std::size_t (1234567));
+  table.row ("time", 1.5, "s");
+  table.row ("a longer name", "two\nlines");
+  std::ostringstream text;
+  table.print (text);
+  EXPECT_EQ (text.str (), "  points         1 234 567\n"
+                          "  time           1.500 s\n"
+                          "  a longer name  two\n"
+                          "                 lines\n");
+}

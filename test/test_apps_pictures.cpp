@@ -1,0 +1,305 @@
+// Pictures, drawn without a screen. Skipped where there is no Xvfb and no display.
+#include "app_error.h"
+#include "cloud_fields.h"
+#include "complex_layers.h"
+#include "picture.h"
+#include "picture_display.h"
+#include "test_apps_folder.h"
+#include "view.h"
+
+#include <boost/crc.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+
+#ifdef __SANITIZE_ADDRESS__
+// The drivers of OpenGL leak.
+extern "C" __attribute__ ((visibility ("default"))) const char* __asan_default_options ();
+const char*
+__asan_default_options ()
+{
+  return "detect_leaks=0";
+}
+#endif
+
+using namespace pcl::manifold::apps;
+
+namespace {
+
+std::uint32_t
+bigEndian (const std::string& bytes, std::size_t at)
+{
+  std::uint32_t value = 0;
+  for (std::size_t i = at; i < at + 4; ++i)
+    value = value << 8 | static_cast<std::uint8_t> (bytes.at (i));
+  return value;
+}
+
+/** \brief Walks through a PNG file and checks the sums of its chunks. */
+void
+expectPng (const std::string& png, std::uint32_t width, std::uint32_t height)
+{
+  ASSERT_GT (png.size (), 33u);
+  EXPECT_EQ (png.substr (0, 8), "\x89PNG\r\n\x1a\n");
+  EXPECT_EQ (bigEndian (png, 16), width);
+  EXPECT_EQ (bigEndian (png, 20), height);
+  std::string type;
+  std::size_t at = 8;
+  while (type != "IEND" && at + 12 <= png.size ()) {
+    const std::uint32_t size = bigEndian (png, at);
+    type = png.substr (at + 4, 4);
+    ASSERT_LE (at + 12 + size, png.size ());
+    boost::crc_32_type sum;
+    sum.process_bytes (&png[at + 4], size + 4);
+    EXPECT_EQ (sum.checksum (), bigEndian (png, at + 8 + size)) << type;
+    at += 12 + size;
+  }
+  EXPECT_EQ (type, "IEND");
+  EXPECT_EQ (at, png.size ());
+}
+
+/** \brief A sphere with a circle around it, of the given size, somewhere. */
+std::vector<Panel>
+someScene (float size, float offset)
+{
+  constexpr int rows = 20, columns = 40;
+  auto positions = std::make_shared<Positions> ();
+  Layer triangles;
+  triangles.kind = Layer::Kind::TRIANGLES;
+  triangles.name = "surface";
+  triangles.smooth = true;
+  triangles.colour = dimensionColour (2);
+  for (int row = 0; row <= rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const double polar = M_PI * row / rows, azimuth = 2 * M_PI * column / columns;
+      positions->push_back ({offset + size * static_cast<float> (std::sin (polar) * std::cos (azimuth)),
+                             offset + size * static_cast<float> (std::sin (polar) * std::sin (azimuth)),
+                             size * static_cast<float> (std::cos (polar))});
+      const int a = row * columns + column, b = row * columns + (column + 1) % columns;
+      if (row < rows)
+        triangles.corners.insert (triangles.corners.end (), {a, a + columns, b, b, a + columns, b + columns});
+    }
+  positions->push_back ({std::numeric_limits<float>::quiet_NaN (), 0, 0});
+  const auto last = static_cast<std::int32_t> (positions->size ()) - 1;
+  triangles.corners.insert (triangles.corners.end (), {0, 1, last});
+  triangles.positions = positions;
+  Layer lines;
+  lines.kind = Layer::Kind::LINES;
+  lines.name = "curve";
+  lines.colour = dimensionColour (1);
+  lines.positions = positions;
+  for (int column = 0; column < columns; ++column)
+    lines.corners.insert (lines.corners.end (), {rows / 2 * columns + column, last - 1 - column});
+  std::vector<std::uint8_t> dimensions (positions->size ());
+  for (std::size_t i = 0; i < dimensions.size (); ++i)
+    dimensions[i] = static_cast<std::uint8_t> (i % 5);
+  return {{"points", layersByDimension (positions, dimensions)}, {"mesh", {triangles, lines}}};
+}
+
+// NOLINTBEGIN(concurrency-mt-unsafe)
+/** \brief Changes a variable of the environment as long as it lives. */
+class Environment
+{
+public:
+  /** \brief Sets it, or unsets it for nullptr. */
+  Environment (const char* name, const char* value) : name_ (name), had_value_ (std::getenv (name) != nullptr)
+  {
+    old_value_ = had_value_ ? std::getenv (name) : "";
+    set (value);
+  }
+
+  Environment (const Environment&) = delete;
+  Environment& operator= (const Environment&) = delete;
+
+  ~Environment () { set (had_value_ ? old_value_.c_str () : nullptr); }
+
+  static std::string get (const char* name)
+  {
+    const char* const value = std::getenv (name);
+    return value == nullptr ? "" : value;
+  }
+
+private:
+  void set (const char* value) const
+  {
+    if (value != nullptr)
+      setenv (name_, value, 1);
+    else
+      unsetenv (name_);
+  }
+
+  const char* name_;
+  bool had_value_;
+  std::string old_value_;
+};
+// NOLINTEND(concurrency-mt-unsafe)
+
+class Pictures : public testing::Test
+{
+protected:
+  static void SetUpTestSuite ()
+  {
+    try {
+      display_ = std::make_unique<PictureDisplay> ();
+    } catch (const std::runtime_error&) {
+      display_.reset ();
+    }
+  }
+
+  static void TearDownTestSuite () { display_.reset (); }
+
+  void SetUp () override
+  {
+    if (display_ == nullptr)
+      GTEST_SKIP () << "no display and no Xvfb";
+  }
+
+  static std::unique_ptr<PictureDisplay> display_;
+};
+
+std::unique_ptr<PictureDisplay> Pictures::display_;
+
+} // namespace
+
+TEST_F (Pictures, AreDrawnWhateverTheScale)
+{
+  const TestFolder folder;
+  std::size_t blank = 0;
+  {
+    const Picture picture (folder / "blank.png");
+    picture.draw ("nothing", {{"", {}}});
+    blank = folder.read ("blank.png").size ();
+  }
+  for (const auto& [size, offset] :
+       {std::pair (1.0f, 0.0f), std::pair (1e-30f, 0.0f), std::pair (1e30f, 0.0f), std::pair (10.0f, 5e6f)}) {
+    const Picture picture (folder / "a.png");
+    EXPECT_TRUE (picture.wanted ());
+    picture.draw ("a title, M\xc3\xb6"
+                  "bius, \xff",
+                  someScene (size, offset));
+    const std::string png = folder.read ("a.png");
+    expectPng (png, 1600, 900);
+    EXPECT_GT (png.size (), 4 * blank) << size;
+  }
+  EXPECT_EQ (folder.count (), 2);
+}
+
+TEST_F (Pictures, HaveTheSizeThatWasAskedFor)
+{
+  const TestFolder folder;
+  const Picture picture (folder / "a.png");
+  picture.draw ("small", someScene (1, 0), 640, 480);
+  expectPng (folder.read ("a.png"), 640, 480);
+}
+
+TEST_F (Pictures, AreTheSameEachTime)
+{
+  const TestFolder folder;
+  for (const char* const name : {"a.png", "b.png"})
+    Picture (folder / name).draw ("again", someScene (1, 0), 640, 480);
+  EXPECT_TRUE (folder.read ("a.png") == folder.read ("b.png"));
+}
+
+TEST_F (Pictures, FallBackToAVirtualDisplay)
+{
+  const Environment environment ("DISPLAY", "nowhere:0");
+  try {
+    const TestFolder folder;
+    const Picture picture (folder / "a.png");
+    EXPECT_NE (Environment::get ("DISPLAY"), "nowhere:0");
+    picture.draw ("virtual", someScene (1, 0), 640, 480);
+    expectPng (folder.read ("a.png"), 640, 480);
+  } catch (const AppError& error) {
+    EXPECT_TRUE (contains (error.what (), "install xvfb")) << error.what ();
+  }
+  EXPECT_EQ (Environment::get ("DISPLAY"), "nowhere:0");
+}
+
+TEST (ComplexLayers, ShowEveryDimension)
+{
+  pcl::PCLPointCloud2 cloud;
+  cloud.width = 5;
+  cloud.height = 1;
+  for (const char* const axis : {"z", "y", "x"})
+    appendField (cloud, axis, pcl::PCLPointField::FLOAT32);
+  allocatePoints (cloud);
+  const float z = 7;
+  std::memcpy (&cloud.data[cloud.point_step], &z, sizeof (z));
+  const std::shared_ptr<const Positions> positions = positionsOf (cloud);
+  EXPECT_EQ (positions->size (), 5u);
+  EXPECT_EQ ((*positions)[1], (std::array<float, 3>{0, 0, 7}));
+  pcl::SimplicialComplex complex;
+  complex.edges = {{0, 1}, {1, 2}};
+  complex.tetrahedra = {{0, 1, 2, 3}, {1, 2, 3, 4}};
+  const std::vector<Layer> layers = layersOf (positions, complex);
+  ASSERT_EQ (layers.size (), 2u);
+  EXPECT_EQ (layers[0].kind, Layer::Kind::LINES);
+  EXPECT_EQ (layers[0].name, "curve: 2 edges");
+  EXPECT_EQ (layers[0].corners, (std::vector<std::int32_t>{0, 1, 1, 2}));
+  EXPECT_EQ (layers[1].kind, Layer::Kind::TRIANGLES);
+  EXPECT_EQ (layers[1].name, "solid: 2 tetrahedra");
+  EXPECT_EQ (layers[1].corners.size (), 6u * 3);
+}
+
+TEST (Picture, IsNotDrawnUnlessWanted)
+{
+  const Picture picture ("");
+  EXPECT_FALSE (picture.wanted ());
+  picture.draw ("nothing", {});
+}
+
+TEST (Picture, IsRefusedEarly)
+{
+  const TestFolder folder;
+  EXPECT_TRUE (
+    contains (messageOf<AppError> ([&] { Picture (folder / "none/a.png"); }), "there is no folder"));
+  const Environment path ("PATH", (folder / "").c_str ());
+  const Environment display ("DISPLAY", nullptr);
+  const std::string file = folder / "a.png";
+  const auto refusal = [&file] { return messageOf<AppError> ([&file] { const Picture picture (file); }); };
+  const std::string needs = file + ": a picture needs a display: set DISPLAY or install xvfb ";
+  EXPECT_EQ (refusal (), needs + "(Xvfb is not installed)");
+  const auto install = [&folder] (const std::string& script) {
+    folder.write ("Xvfb", "#!/bin/sh\n" + script);
+    std::filesystem::permissions (folder / "Xvfb", std::filesystem::perms::owner_all);
+  };
+  install ("exit 1\n");
+  EXPECT_EQ (refusal (), needs + "(Xvfb does not start)");
+  if (std::filesystem::exists ("/usr/bin/Xvfb")) {
+    install ("exec /usr/bin/Xvfb \"$@\" -extension GLX\n");
+    EXPECT_EQ (refusal (), file + ": a picture needs OpenGL 3.2, which neither DISPLAY nor Xvfb offers");
+  }
+  EXPECT_EQ (Environment::get ("DISPLAY"), "");
+  EXPECT_EQ (folder.count (), 1);
+}
+
+TEST (View, HoldsAllCornersAndSeesFlatScenesFromTheSide)
+{
+  std::vector<std::array<double, 3>> corners (1000);
+  for (int i = 0; i < 1000; ++i) { // a wall along y
+    const int row = i / 40;
+    corners[i] = {0, (i % 40 - 20) / 20.0, (row - 12) / 12.0};
+  }
+  const double aspect = 1.5;
+  const View view = chooseView (corners, aspect);
+  double highest = 0;
+  for (const auto& corner : corners) {
+    double right = 0, up = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      right += (corner[axis] - view.centre[axis]) * view.right[axis];
+      up += (corner[axis] - view.centre[axis]) * view.up[axis];
+    }
+    EXPECT_LE (std::abs (right), view.half_height * aspect);
+    EXPECT_LE (std::abs (up), view.half_height);
+    highest = std::max (highest, std::abs (up));
+  }
+  EXPECT_GT (highest, 0.8 * view.half_height);
+  EXPECT_GT (std::abs (view.towards[0]), 0.7);
+  EXPECT_LT (view.towards[2], 0);
+  chooseView ({}, aspect);
+  EXPECT_GT (chooseView ({{1, 1, 1}}, aspect).half_height, 0);
+}

@@ -1,0 +1,176 @@
+// Clouds of all formats but PCD: every field, every kind of bad file.
+#include "test_apps_clouds.h"
+
+#include <pcl/io/ply_io.h>
+#include <pcl/point_types.h>
+
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <vector>
+
+using namespace pcl::manifold::apps;
+
+TEST (Ply, KeepsEveryProperty)
+{
+  const TestFolder folder;
+  const std::string header =
+    "element camera 1\nproperty list uchar int views\nproperty double f\n"
+    "element vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
+    "property float nx\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+    "property short s\nelement face 0\nproperty list uchar int vertex_indices\n"
+    "end_header\n";
+  const std::string text = "ply\nformat ascii 1.0\ncomment c\nobj_info o\n" + header +
+                           "2 8 9 0.5\n1 2 3 0.5 255 128 1 -2\n4 5 6 7 0 0 0 9\n";
+  std::string little = "ply\nformat binary_little_endian 1.0\n" + header;
+  std::string big = "ply\nformat binary_big_endian 1.0\n" + header;
+  const auto append = [&] (auto value) {
+    char bytes[sizeof (value)];
+    std::memcpy (bytes, &value, sizeof (value));
+    little.append (bytes, sizeof (value));
+    for (std::size_t i = sizeof (value); i > 0; --i)
+      big += bytes[i - 1];
+  };
+  append (std::uint8_t (2));
+  append (std::int32_t (8));
+  append (std::int32_t (9));
+  append (0.5);
+  for (int point = 0; point < 2; ++point) {
+    for (const float value : {1.0f, 2.0f, 3.0f})
+      append (value + 3 * static_cast<float> (point));
+    append (point == 0 ? 0.5f : 7.0f);
+    for (const std::uint8_t value : {255, 128, 1})
+      append (static_cast<std::uint8_t> (point == 0 ? value : 0));
+    append (static_cast<std::int16_t> (point == 0 ? -2 : 9));
+  }
+  const pcl::PCLPointCloud2 expected = readCloud (folder.write ("text.ply", text)).cloud;
+  EXPECT_EQ (expected.width, 2u);
+  EXPECT_EQ (valueAt (expected, "z", 1), 6);
+  EXPECT_EQ (valueAt (expected, "normal_x", 0), 0.5);
+  EXPECT_EQ (valueAt (expected, "s", 0), -2);
+  EXPECT_EQ (expected.fields.size (), 6u);
+  pcl::PointCloud<pcl::PointXYZRGB> colours;
+  pcl::fromPCLPointCloud2 (expected, colours);
+  EXPECT_EQ (colours[0].r, 255);
+  EXPECT_EQ (colours[0].g, 128);
+  EXPECT_EQ (colours[0].b, 1);
+  expectSameFields (expected, readCloud (folder.write ("little.ply", little)).cloud);
+  expectSameFields (expected, readCloud (folder.write ("big.ply", big)).cloud);
+
+  for (const std::string& good : {text, little, big}) {
+    for (std::size_t size = 0; size < good.size () - 2; ++size)
+      EXPECT_NE (readingError (folder.write ("bad.ply", good.substr (0, size))), "") << size;
+    std::mt19937 random (13);
+    for (int i = 0; i < 600; ++i) {
+      std::string bad = good;
+      for (int flips = i % 4; flips >= 0; --flips)
+        bad[random () % bad.size ()] ^= static_cast<char> (1 << random () % 8);
+      readingError (folder.write ("bad.ply", bad));
+    }
+  }
+}
+
+TEST (Ply, IsReadAsByPcl)
+{
+  const TestFolder folder;
+  pcl::PointCloud<pcl::PointXYZRGBNormal> points (30, 1);
+  for (std::size_t i = 0; i < points.size (); ++i) {
+    points[i].x = static_cast<float> (i) / 3;
+    points[i].normal_z = static_cast<float> (i) / 7;
+    points[i].r = static_cast<std::uint8_t> (i);
+  }
+  pcl::PLYWriter ().write (folder / "a.ply", points, true, false);
+  pcl::PointCloud<pcl::PointXYZRGBNormal> again;
+  pcl::fromPCLPointCloud2 (readCloud (folder / "a.ply").cloud, again);
+  ASSERT_EQ (again.size (), points.size ());
+  for (std::size_t i = 0; i < points.size (); ++i) {
+    EXPECT_EQ (again[i].x, points[i].x);
+    EXPECT_EQ (again[i].normal_z, points[i].normal_z);
+    EXPECT_EQ (again[i].r, points[i].r);
+  }
+}
+
+TEST (Xyz, SkipsAndReportsLinesThatDoNotConform)
+{
+  const TestFolder folder;
+  const InputCloud input =
+    readCloud (folder.write ("a.xyz", "\xEF\xBB\xBF# head\nx,y,z,i\n1,2,3,4\n\n5 6\t7 ; 8 # tail\n1 2 3\nnan "
+                                      "1 2 3\na b c d\n1 2\n9\n1 2 3 4 5"));
+  EXPECT_EQ (input.size (), 3u);
+  EXPECT_EQ (valueAt (input.cloud, "x", 1), 5);
+  EXPECT_EQ (valueAt (input.cloud, "column_4", 1), 8);
+  EXPECT_EQ (findField (input.cloud, "x")->datatype, pcl::PCLPointField::FLOAT32);
+  ASSERT_EQ (input.notes.size (), 1u);
+  EXPECT_EQ (input.notes[0], "6 lines skipped that hold no 4 numbers: lines 2, 6, 8, 9, 10, ...");
+}
+
+TEST (Xyz, IsRefusedWithoutAnyPoint)
+{
+  const TestFolder folder;
+  EXPECT_TRUE (
+    contains (readingError (folder.write ("a.txt", "# nothing\nhere\n1 2\n")),
+              "none of its 3 lines holds a point (three numbers or more); not understood: lines 2, 3"));
+}
+
+TEST (Off, GivesItsVertices)
+{
+  const TestFolder folder;
+  const InputCloud input =
+    readCloud (folder.write ("a.OFF", "OFF # c\n# c\n\n 3 1 0\n1 2 3\n\n4 5 6 255 0 0\n7 8 9\n3 0 1 2\n"));
+  EXPECT_EQ (input.size (), 3u);
+  EXPECT_EQ (valueAt (input.cloud, "y", 1), 5);
+  EXPECT_EQ (readCloud (folder.write ("b.off", "COFF 1 0 0\n1 2 3 4 5 6 7")).size (), 1u);
+  EXPECT_TRUE (contains (readingError (folder.write ("c.off", "OFF\n99999999999 1 0\n1 2 3\n")),
+                         "truncated: the file ends after line 3, with 1 of 99999999999 vertices"));
+  EXPECT_TRUE (contains (readingError (folder.write ("c.off", "OFF\n2 1 0\n1 2 3\n1 2\n")),
+                         "line 4: a vertex needs three numbers"));
+  EXPECT_TRUE (
+    contains (readingError (folder.write ("c.off", "OFF\n")), "the number of vertices is missing"));
+  EXPECT_TRUE (contains (readingError (folder.write ("c.off", "PNG\n")), "not an OFF file"));
+}
+
+TEST (Obj, GivesItsVertices)
+{
+  const TestFolder folder;
+  const InputCloud input = readCloud (
+    folder.write ("a.obj", "# c\no name\nv 1 2 3\nvn 0 0 1\nv 4 5 6 0.5 0.5 0.5\nf 1 2 2\nl 1 2\n"));
+  EXPECT_EQ (input.size (), 2u);
+  EXPECT_EQ (valueAt (input.cloud, "z", 1), 6);
+  EXPECT_TRUE (contains (readingError (folder.write ("b.obj", "v 1 2\n")), "b.obj: line 1: "));
+  EXPECT_TRUE (contains (readingError (folder.write ("b.obj", "v 1 2 x\n")), "b.obj: line 1: "));
+  EXPECT_TRUE (contains (readingError (folder.write ("b.obj", "# none\n")), "b.obj: holds no point"));
+}
+
+TEST (Reader, RefusesWhatIsNoFile)
+{
+  const TestFolder folder;
+  EXPECT_TRUE (contains (readingError (folder / "missing.pcd"), "No such file"));
+  EXPECT_TRUE (contains (readingError ("/dev/null.pcd"), "No such file"));
+  EXPECT_TRUE (
+    contains (readingError (folder.write ("a.las", "LASF")), "unknown type of file; known are .pcd"));
+  std::filesystem::create_directory (folder / "folder.pcd");
+  EXPECT_TRUE (contains (readingError (folder / "folder.pcd"), "is a folder, not a file"));
+  std::filesystem::create_symlink ("/dev/zero", folder / "zero.xyz");
+  EXPECT_TRUE (contains (readingError (folder / "zero.xyz"), "is not a regular file"));
+}
+
+TEST (Coordinates, AreShiftedWhereFloatsAreTooCoarse)
+{
+  const TestFolder folder;
+  const InputCloud map =
+    readCloud (folder.write ("map.xyz", "621300.125 5811200.25 30.5\n621340.5 5811240.75 31.25\nnan 0 0\n"));
+  EXPECT_EQ (map.origin, (std::array<double, 3>{621300, 5811200, 0}));
+  EXPECT_EQ (valueAt (map.cloud, "x", 0), 0.125);
+  EXPECT_EQ (valueAt (map.cloud, "y", 1), 40.75);
+  EXPECT_EQ (valueAt (map.cloud, "z", 1), 31.25);
+  EXPECT_TRUE (std::isnan (valueAt (map.cloud, "x", 2)));
+  ASSERT_EQ (map.notes.size (), 1u);
+  EXPECT_EQ (map.notes[0], "coordinates shifted: origin 621300 5811200 0 subtracted");
+
+  const InputCloud near = readCloud (folder.write ("near.xyz", "1 2 3\n4 5 6\n"));
+  EXPECT_EQ (near.origin, (std::array<double, 3>{}));
+  EXPECT_TRUE (near.notes.empty ());
+  EXPECT_EQ (near.cloud.fields[0].name, "x");
+  EXPECT_TRUE (contains (readingError (folder.write ("far.xyz", "1 2 3\n1e300 5 6\n")),
+                         "coordinate 'x' of point 1 is larger than PCL's floats can hold"));
+}
