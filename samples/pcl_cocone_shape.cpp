@@ -34,9 +34,10 @@ dimensionsOfPoints (const SampleDimensions& dimensions)
 int
 main (int argc, char** argv)
 {
-  CommandLine command_line ("pcl_cocone_shape",
-                            "Reconstructs the curves, surfaces and solids of a cloud as edges, triangles and tetrahedra\n"
-                            "over its points.");
+  CommandLine command_line (
+    "pcl_cocone_shape",
+    "Reconstructs the curves, surfaces and solids of a cloud as edges, triangles and tetrahedra\n"
+    "over its points.");
   std::string input_file;
   std::string output_file;
   double rho = 0.3;
@@ -45,15 +46,18 @@ main (int argc, char** argv)
   bool watertight = false;
   CommonOptions common;
   command_line.positional ("INPUT", std::string ("cloud: ") + cloud_file_types, input_file)
-      .positional ("OUTPUT", "mesh: .ply .obj .vtk .vtu (tetrahedra in the last two only, else their boundary)", output_file)
-      .option ("rho", "r", "largest ratio of heights that still makes a normal direction, in (0, 1]", rho, {1e-9, 1.0})
-      .option ("k", "k", "thin the cloud: no two samples among each other's k nearest neighbours; 0 = off.\n"
-                         "4 to 8 for airborne scans, 24 to 48 for random or noisy points",
-               k, {0, 100000})
-      .option ("spacing", "h", "thin the cloud: no two samples nearer than h; 0 = off", spacing, {0, 1e300})
-      .flag ("watertight", "close every surface", watertight)
-      .common (common)
-      .example ("pcl_cocone_shape scan.pcd shape.ply -report shape.json -picture shape.png");
+    .positional ("OUTPUT", "mesh: .ply .obj .vtk .vtu (tetrahedra in the last two only, else their boundary)",
+                 output_file)
+    .option ("rho", "r", "largest ratio of heights that still makes a normal direction, in (0, 1]", rho,
+             {1e-9, 1.0})
+    .option ("k", "k",
+             "thin the cloud: no two samples among each other's k nearest neighbours; 0 = off.\n"
+             "4 to 8 for airborne scans, 24 to 48 for random or noisy points",
+             k, {0, 100000})
+    .option ("spacing", "h", "thin the cloud: no two samples nearer than h; 0 = off", spacing, {0, 1e300})
+    .flag ("watertight", "close every surface", watertight)
+    .common (common)
+    .example ("pcl_cocone_shape scan.pcd shape.ply -report shape.json -picture shape.png");
 
   return runApp (argc, argv, command_line, [&] {
     std::string error;
@@ -63,6 +67,7 @@ main (int argc, char** argv)
       checkWritable (common.report);
     const Picture picture (common.picture);
     const InputCloud input = readCloud (input_file);
+    printNotes (input, common.quiet);
 
     pcl::CoconeShape<pcl::PointXYZ> reconstruction;
     reconstruction.setInputCloud (pointsOf (input));
@@ -94,9 +99,9 @@ main (int argc, char** argv)
       throw AppError (output_file, error);
     const auto positions = positionsOf (input.cloud);
     picture.draw (
-        input_file,
-        {{"points", layersByDimension (positions, dimensionsOfPoints (*reconstruction.getSampleDimensions ()))},
-         {"shape", layersOf (positions, shape)}});
+      input_file,
+      {{"points", layersByDimension (positions, dimensionsOfPoints (*reconstruction.getSampleDimensions ()))},
+       {"shape", layersOf (positions, shape)}});
     if (!common.report.empty ())
       report.write (common.report);
     if (!common.quiet)

@@ -3,6 +3,7 @@
 #include "cloud_fields.h"
 #include "cloud_writer.h"
 #include "complex_layers.h"
+#include "file_type.h"
 #include "picture.h"
 #include "progress.h"
 #include "sample_input.h"
@@ -24,7 +25,8 @@ countOf (const std::vector<std::uint8_t>& labels, int label)
 }
 
 void
-describeDimensions (const std::string& name, const std::vector<std::uint8_t>& labels, Report& report, Table& table)
+describeDimensions (const std::string& name, const std::vector<std::uint8_t>& labels, Report& report,
+                    Table& table)
 {
   static const char* const KINDS[] = {"none", "curve", "surface", "solid"};
   Json::Value counts (Json::objectValue);
@@ -45,10 +47,12 @@ int
 main (int argc, char** argv)
 {
   CommandLine command_line (
-      "pcl_dimension_detection",
-      "Tells for every point of a cloud the dimension of the shape that it lies on: 1 curve, 2 surface, 3 solid.\n"
-      "Adds the fields dimension (as published: 1 also at the rim of a surface, 2 also at the skin of a solid),\n"
-      "manifold_dimension, boundary (is it on the rim, skin or end of its manifold) and confidence.");
+    "pcl_dimension_detection",
+    "Tells for every point of a cloud the dimension of the shape that it lies on: 1 curve, 2 surface, 3 "
+    "solid.\n"
+    "Adds the fields dimension (as published: 1 also at the rim of a surface, 2 also at the skin of a "
+    "solid),\n"
+    "manifold_dimension, boundary (is it on the rim, skin or end of its manifold) and confidence.");
   std::string input_file;
   std::string output_file;
   double rho = 0.3;
@@ -56,21 +60,25 @@ main (int argc, char** argv)
   double spacing = 0.0;
   CommonOptions common;
   command_line.positional ("INPUT", std::string ("cloud: ") + cloud_file_types, input_file)
-      .positional ("OUTPUT", "cloud with the fields of the input and the new ones: .pcd", output_file)
-      .option ("rho", "r", "largest ratio of heights that still makes a normal direction, in (0, 1]", rho, {1e-9, 1.0})
-      .option ("k", "k", "thin the cloud: no two samples among each other's k nearest neighbours; 0 = off.\n"
-                         "4 to 8 for airborne scans, 24 to 48 for random or noisy points",
-               k, {0, 100000})
-      .option ("spacing", "h", "thin the cloud: no two samples nearer than h; 0 = off", spacing, {0, 1e300})
-      .common (common)
-      .example ("pcl_dimension_detection scan.pcd dimensions.pcd -k 6 -picture dimensions.png");
+    .positional ("OUTPUT", "cloud with the fields of the input and the new ones: .pcd", output_file)
+    .option ("rho", "r", "largest ratio of heights that still makes a normal direction, in (0, 1]", rho,
+             {1e-9, 1.0})
+    .option ("k", "k",
+             "thin the cloud: no two samples among each other's k nearest neighbours; 0 = off.\n"
+             "4 to 8 for airborne scans, 24 to 48 for random or noisy points",
+             k, {0, 100000})
+    .option ("spacing", "h", "thin the cloud: no two samples nearer than h; 0 = off", spacing, {0, 1e300})
+    .common (common)
+    .example ("pcl_dimension_detection scan.pcd dimensions.pcd -k 6 -picture dimensions.png");
 
   return runApp (argc, argv, command_line, [&] {
+    requireType ("OUTPUT", output_file, {".pcd"});
     checkWritable (output_file);
     if (!common.report.empty ())
       checkWritable (common.report);
     const Picture picture (common.picture);
     InputCloud input = readCloud (input_file);
+    printNotes (input, common.quiet);
 
     pcl::DimensionDetection<pcl::PointXYZ> detection;
     detection.setInputCloud (pointsOf (input));
@@ -82,15 +90,15 @@ main (int argc, char** argv)
     {
       Progress progress ("dimension", common.quiet);
       // The library's part of the work ends at 0.7: the rest is that of CoconeShape.
-      detection.setProgressCallback ([&progress] (float fraction) { return progress.update (fraction / 0.7f); });
+      detection.setProgressCallback (
+        [&progress] (float fraction) { return progress.update (fraction / 0.7f); });
       detection.compute (labels);
     }
     requireOk (input_file, detection.getStatus ());
 
     std::vector<std::uint8_t> dimension (labels.size ());
-    std::transform (labels.begin (), labels.end (), dimension.begin (), [] (const pcl::Label& label) {
-      return static_cast<std::uint8_t> (label.label);
-    });
+    std::transform (labels.begin (), labels.end (), dimension.begin (),
+                    [] (const pcl::Label& label) { return static_cast<std::uint8_t> (label.label); });
     const std::vector<std::uint8_t> manifold_dimension = detection.getManifoldDimension ();
     const std::vector<std::uint8_t> boundary = detection.getBoundary ();
     setField (input.cloud, "dimension", dimension);

@@ -2,6 +2,8 @@
 
 #include <pcl/conversions.h>
 
+#include <iostream>
+
 namespace pcl::manifold::apps {
 
 pcl::PointCloud<pcl::PointXYZ>::Ptr
@@ -10,6 +12,14 @@ pointsOf (const InputCloud& input)
   auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> ();
   pcl::fromPCLPointCloud2 (input.cloud, *cloud);
   return cloud;
+}
+
+void
+printNotes (const InputCloud& input, bool quiet)
+{
+  if (!quiet)
+    for (const std::string& note : input.notes)
+      std::cerr << input.file << ": " << note << "\n";
 }
 
 void

@@ -16,6 +16,9 @@ namespace pcl::manifold::apps {
 /** \brief The coordinates of a cloud that was read, for the classes of the library. */
 pcl::PointCloud<pcl::PointXYZ>::Ptr pointsOf (const InputCloud& input);
 
+/** \brief Tells the user what was noticed while the cloud was read, on standard error. */
+void printNotes (const InputCloud& input, bool quiet);
+
 /** \brief Reports and tabulates what became of the points of a cloud, and the stages of a computation. */
 void describeInput (const InputCloud& input, const SampleSet& samples, Report& report, Table& table);
 void describeStages (const std::vector<Stage>& stages, Report& report, Table& table);

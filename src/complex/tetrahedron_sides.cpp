@@ -1,5 +1,6 @@
 #include "complex/tetrahedron_sides.h"
 
+#include <array>
 #include <numeric>
 #include <stdexcept>
 

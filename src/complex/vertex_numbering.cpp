@@ -1,6 +1,7 @@
 #include "complex/vertex_numbering.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace pcl {
 namespace manifold {

@@ -7,7 +7,9 @@
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
+#include <vector>
 
 // The only place where CGAL's triangulations are known: everything else reads the flat arrays.
 
@@ -26,8 +28,10 @@ using Triangulation =
   CGAL::Delaunay_triangulation_3<Kernel,
                                  CGAL::Triangulation_data_structure_3<VertexBase, CellBase, ConcurrencyTag>>;
 
-// Below this many samples the locks of a parallel insertion cost more than they gain.
-constexpr std::int32_t PARALLEL_MIN_SAMPLES = 50000;
+// Below this many samples there is too little to gain from a parallel insertion to try it out.
+constexpr std::int32_t PARALLEL_MIN_SAMPLES = 200000;
+// Samples next to each other that the two kinds of insertion are tried out on.
+constexpr std::int32_t TRIAL_SAMPLES = 20000;
 // Cells per axis of the grid of locks, as in CGAL's manual.
 constexpr int LOCK_GRID = 50;
 
@@ -130,37 +134,78 @@ copyTriangulation (T& triangulation, FlatCells& flat)
     flat.line = samplesAlongLine (triangulation);
 }
 
-FlatCells
-triangulate (const SampleSet& samples, unsigned int threads)
+using Points = std::vector<std::pair<Kernel::Point_3, std::int32_t>>;
+
+// Inserts points into a triangulation, and hands it to use (triangulation).
+template <typename Use>
+void
+insertInParallel (const Points& points, const Use& use)
 {
-  FlatCells flat;
-  const auto points = pointsWithIndices (samples);
-  if (threads > 1 && samples.size () >= PARALLEL_MIN_SAMPLES) {
-    using T = Triangulation<CGAL::Parallel_tag>;
-    const Eigen::Vector3d low = samples.points.rowwise ().minCoeff ();
-    const Eigen::Vector3d high = samples.points.rowwise ().maxCoeff ();
-    T::Lock_data_structure locks (
-      CGAL::Bbox_3 (low.x (), low.y (), low.z (), high.x (), high.y (), high.z ()), LOCK_GRID);
-    T triangulation;
-    // CGAL 5.5 silently ignores locks that are passed to an insertion of points with info.
-    triangulation.set_lock_data_structure (&locks);
-    triangulation.insert (points.begin (), points.end ());
-    triangulation.set_lock_data_structure (nullptr);
-    copyTriangulation (triangulation, flat);
-  } else {
-    Triangulation<CGAL::Sequential_tag> triangulation;
-    triangulation.insert (points.begin (), points.end ());
-    copyTriangulation (triangulation, flat);
-  }
-  return flat;
+  using T = Triangulation<CGAL::Parallel_tag>;
+  CGAL::Bbox_3 box;
+  for (const auto& point : points)
+    box += point.first.bbox ();
+  T::Lock_data_structure locks (box, LOCK_GRID);
+  T triangulation;
+  // CGAL 5.5 silently ignores locks that are passed to an insertion of points with info.
+  triangulation.set_lock_data_structure (&locks);
+  triangulation.insert (points.begin (), points.end ());
+  triangulation.set_lock_data_structure (nullptr);
+  use (triangulation);
+}
+
+template <typename Use>
+void
+insertInSequence (const Points& points, const Use& use)
+{
+  Triangulation<CGAL::Sequential_tag> triangulation;
+  triangulation.insert (points.begin (), points.end ());
+  use (triangulation);
+}
+
+template <typename Insert>
+double
+secondsOf (const Insert& insert)
+{
+  const auto start = std::chrono::steady_clock::now ();
+  insert ();
+  return std::chrono::duration<double> (std::chrono::steady_clock::now () - start).count ();
+}
+
+// The parallel insertion gains up to a half on noisy samples and loses as much, or far more on a busy
+// machine, on clean ones, whose large empty spheres make the threads wait for each other. The result is the
+// same, so it is tried out on a few samples.
+bool
+parallelPays (const Points& points)
+{
+  const auto begin = points.begin () + static_cast<std::ptrdiff_t> (points.size () / 2) - TRIAL_SAMPLES / 2;
+  const Points trial (begin, begin + TRIAL_SAMPLES);
+  const auto ignore = [] (const auto&) {};
+  const double sequential = secondsOf ([&] { insertInSequence (trial, ignore); });
+  return secondsOf ([&] { insertInParallel (trial, ignore); }) < sequential;
 }
 
 } // namespace
 
+FlatCells
+triangulate (const SampleSet& samples, bool parallel)
+{
+  FlatCells flat;
+  const Points points = pointsWithIndices (samples);
+  const auto copy = [&flat] (auto& triangulation) { copyTriangulation (triangulation, flat); };
+  if (parallel)
+    insertInParallel (points, copy);
+  else
+    insertInSequence (points, copy);
+  return flat;
+}
+
 std::shared_ptr<const DelaunayComplex>
 computeDelaunayComplex (const std::shared_ptr<const SampleSet>& samples, unsigned int threads)
 {
-  return makeDelaunayComplex (samples, triangulate (*samples, threads));
+  const bool parallel =
+    threads > 1 && samples->size () >= PARALLEL_MIN_SAMPLES && parallelPays (pointsWithIndices (*samples));
+  return makeDelaunayComplex (samples, triangulate (*samples, parallel));
 }
 
 } // namespace manifold

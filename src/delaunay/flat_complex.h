@@ -21,6 +21,10 @@ struct FlatCells
   std::vector<std::int32_t> line;
 };
 
+/** The Delaunay triangulation by CGAL; the cells are the same, in another order, whether its points are
+ * inserted in parallel or not. */
+FlatCells triangulate (const SampleSet& samples, bool parallel);
+
 /** Brings the cells into their canonical order and adds the circumcentres and the cells at each sample. */
 std::shared_ptr<const DelaunayComplex> makeDelaunayComplex (const std::shared_ptr<const SampleSet>& samples,
                                                             FlatCells flat);

@@ -20,6 +20,8 @@ constexpr std::uint16_t NO_WISH = STEPS;
 // Poles this nearly opposite (8 degrees) of each other are certain to be on two sides: that comes before
 // everything else, or the two sides of a one-sided surface, being one and the same, would get one colour.
 constexpr double CERTAIN_OPPOSITION = 0.99;
+// Circumspheres that intersect at less than 8 degrees: no surface passes between them.
+constexpr double FREE_SPACE_DEPTH = 0.99;
 constexpr double CERTAIN = 3.0; // a weight that falls into the first step
 
 // The step of a weight in [-1, 1], the largest weight first; CERTAIN comes before all of them.
@@ -38,8 +40,8 @@ directionTo (const VoronoiCell& cell, std::int32_t vertex)
                                   : Eigen::Vector3d (cell.vertex (vertex).normalized ());
 }
 
-} // namespace
-
+// How deeply the circumspheres of the two cells at a facet intersect: the cosine of the angle at which they
+// do, 1 where they are the same.
 double
 intersectionDepth (const DelaunayComplex& complex, std::int32_t a, int facet)
 {
@@ -50,8 +52,6 @@ intersectionDepth (const DelaunayComplex& complex, std::int32_t a, int facet)
   const VoronoiCell cell (complex, vertices[k]);
   return directionTo (cell, a).dot (directionTo (cell, complex.neighbors[a][facet]));
 }
-
-namespace {
 
 struct Poles
 {
@@ -117,16 +117,19 @@ public:
    * before each of the growing pieces the others are sorted out in parallel. */
   void grant (ParityForest& forest)
   {
+    deep_.assign (order_.begin (), order_.begin () + static_cast<std::ptrdiff_t> (deep_end_));
     std::size_t begin = 0;
     for (const std::size_t share : {16, 8, 4, 2, 1}) {
       const std::size_t end = order_.size () / share;
-      if (begin > 0)
+      if (begin > 0) {
+        forest.compress ();
         parallelFor (end - begin, [&] (std::size_t i) {
           std::uint32_t& wish = order_[begin + i];
           const auto [a, b] = cellsOf (wish);
           if (forest.look (a).first == forest.look (b).first)
             wish = GRANTED;
         });
+      }
       for (std::size_t i = begin; i < end; ++i)
         if (order_[i] != GRANTED) {
           const auto [a, b] = cellsOf (order_[i]);
@@ -134,6 +137,19 @@ public:
         }
       begin = end;
     }
+  }
+
+  /** The facets between cells that share nearly all of their circumspheres and still got two colours. */
+  std::vector<Facet> torn (const std::vector<std::uint8_t>& colors) const
+  {
+    std::vector<Facet> facets;
+    for (const std::uint32_t wish : deep_)
+      if (wish < 4 * cells_) {
+        const auto [a, b] = cellsOf (wish);
+        if (colors[a] != colors[b])
+          facets.push_back ({static_cast<std::int32_t> (a), static_cast<int> (wish & 3)});
+      }
+    return facets;
   }
 
 private:
@@ -167,12 +183,15 @@ private:
       },
       1);
     std::uint32_t sum = 0;
-    for (std::size_t step = 0; step < STEPS; ++step)
+    for (std::size_t step = 0; step < STEPS; ++step) {
+      if (step == stepOf (FREE_SPACE_DEPTH))
+        deep_end_ = sum;
       for (std::size_t piece = 0; piece < PIECES; ++piece) {
         const std::uint32_t count = counts[piece * STEPS + step];
         counts[piece * STEPS + step] = sum;
         sum += count;
       }
+    }
     order_.resize (sum);
     parallelFor (
       PIECES,
@@ -188,37 +207,41 @@ private:
   std::size_t cells_;
   std::vector<Poles> poles_;
   std::vector<std::uint32_t> order_;
+  std::vector<std::uint32_t> deep_; // the wishes of cells that share nearly all of their circumspheres
+  std::size_t deep_end_ = 0;
 };
 
 } // namespace
 
-std::vector<std::uint8_t>
-colorCells (const SampleDimensions& dimensions, const std::vector<Role>& roles, bool closed)
+CellColors
+colorCells (const SampleDimensions& dimensions, const std::vector<Role>& roles,
+            const std::vector<std::uint8_t>& solid, bool closed)
 {
   const DelaunayComplex& complex = *dimensions.complex;
   const auto cells = static_cast<std::uint32_t> (complex.cells.size ());
   const auto first_infinite = static_cast<std::uint32_t> (complex.finite_cells);
   ParityForest forest (cells);
-  // What is certain: the outside is one, and all cells at a sample inside of a solid belong to the solid.
+  // What is certain: the outside is one, and so is the inside of a solid.
   if (closed)
     for (std::uint32_t cell = first_infinite + 1; cell < cells; ++cell)
       forest.unite (first_infinite, cell, false);
-  for (std::size_t i = 0; i < roles.size (); ++i)
-    if (roles[i] == Role::SOLID) {
-      const VoronoiCell cell (complex, static_cast<std::int32_t> (i));
-      for (const std::int32_t vertex : cell)
-        if (!complex.isInfinite (vertex) && !complex.isInfinite (*cell.begin ()))
-          forest.unite (*cell.begin (), vertex, false);
-    }
-  Wishes (dimensions, roles).grant (forest);
+  for (std::uint32_t cell = 0; cell < first_infinite; ++cell)
+    for (int k = 0; solid[cell] && k < 4; ++k)
+      if (solid[complex.neighbors[cell][k]])
+        forest.unite (cell, static_cast<std::uint32_t> (complex.neighbors[cell][k]), false);
+  Wishes wishes (dimensions, roles);
+  wishes.grant (forest);
 
-  std::vector<std::uint8_t> colors (cells);
-  const std::uint32_t reference = forest.find (first_infinite).second;
+  CellColors result;
+  result.colors.resize (cells);
+  forest.compress ();
+  const std::uint32_t reference = forest.look (first_infinite).second;
   parallelFor (cells, [&] (std::size_t cell) {
-    colors[cell] =
+    result.colors[cell] =
       static_cast<std::uint8_t> (forest.look (static_cast<std::uint32_t> (cell)).second ^ reference);
   });
-  return colors;
+  result.torn = wishes.torn (result.colors);
+  return result;
 }
 
 } // namespace manifold

@@ -9,6 +9,7 @@
 #include "extraction/surface_opening.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pcl {
 namespace manifold {
@@ -25,30 +26,9 @@ polyline (const std::vector<std::int32_t>& line)
   return shape;
 }
 
-// The skin of a solid is given by its tetrahedra: triangles beside them, or between samples of their skins
-// only, are not a surface of their own.
-void
-eraseSkins (const SampleDimensions& dimensions, const std::vector<std::uint8_t>& solid, FacetSet& surface)
-{
-  const DelaunayComplex& complex = surface.complex ();
-  if (std::find (solid.begin (), solid.end (), 1) == solid.end ())
-    return;
-  for (std::size_t i = 0; i < complex.cells.size (); ++i)
-    for (int k = 0; k < 4; ++k) {
-      const auto cell = static_cast<std::int32_t> (i);
-      if (!surface.contains (cell, k))
-        continue;
-      const std::array<std::int32_t, 3> triangle = facetOf (complex, cell, k);
-      if (solid[cell] || solid[complex.neighbors[i][k]] ||
-          std::all_of (triangle.begin (), triangle.end (),
-                       [&] (std::int32_t sample) { return dimensions.manifold_dimension[sample] == 3; }))
-        surface.erase (cell, k);
-    }
-}
-
-// The samples whose triangles erasing the skins may have split in several fans.
+// The samples of solids, ascending.
 std::vector<std::int32_t>
-samplesBesideSolids (const DelaunayComplex& complex, const std::vector<std::uint8_t>& solid)
+samplesOfSolids (const DelaunayComplex& complex, const std::vector<std::uint8_t>& solid)
 {
   std::vector<std::int32_t> samples;
   for (std::size_t i = 0; i < solid.size (); ++i)
@@ -57,6 +37,33 @@ samplesBesideSolids (const DelaunayComplex& complex, const std::vector<std::uint
   std::sort (samples.begin (), samples.end ());
   samples.erase (std::unique (samples.begin (), samples.end ()), samples.end ());
   return samples;
+}
+
+// The skin of a solid is given by its tetrahedra: triangles beside them are no surface of their own. Nor are
+// triangles between samples of solids only, but for those of a closed surface.
+void
+eraseSkins (const std::vector<std::uint8_t>& solid, bool watertight, FacetSet& surface)
+{
+  const DelaunayComplex& complex = surface.complex ();
+  const std::vector<std::int32_t> samples = samplesOfSolids (complex, solid);
+  if (samples.empty ())
+    return;
+  std::vector<std::uint8_t> of_solid (static_cast<std::size_t> (complex.samples->size ()), 0);
+  for (const std::int32_t sample : samples)
+    of_solid[sample] = 1;
+  for (std::size_t i = 0; i < complex.cells.size (); ++i)
+    for (int k = 0; k < 4; ++k) {
+      const auto cell = static_cast<std::int32_t> (i);
+      if (!surface.contains (cell, k))
+        continue;
+      const std::array<std::int32_t, 3> triangle = facetOf (complex, cell, k);
+      if (solid[cell] || solid[complex.neighbors[i][k]] ||
+          (!watertight && std::all_of (triangle.begin (), triangle.end (),
+                                       [&] (std::int32_t sample) { return of_solid[sample] != 0; })))
+        surface.erase (cell, k);
+    }
+  // Where a fan lost triangles in its middle it is two fans now.
+  eraseToManifold (samples, surface);
 }
 
 } // namespace
@@ -71,8 +78,11 @@ extractShape (const SampleDimensions& dimensions, bool watertight, StageLog& log
   if (!log.begin ("color cells", 0.7f))
     return {};
   const std::vector<Role> roles = sampleRoles (dimensions);
-  std::vector<std::uint8_t> colors = colorCells (dimensions, roles, watertight);
-  const std::vector<std::uint8_t> seams = findSeams (dimensions, roles, colors);
+  const SolidCells solid_cells = findSolidCells (dimensions, roles);
+  CellColors coloring = colorCells (dimensions, roles, solid_cells.certain, watertight);
+  const std::vector<std::uint8_t> seams = findSeams (dimensions, roles, coloring.torn);
+
+  std::vector<std::uint8_t> colors = std::move (coloring.colors);
 
   if (!log.begin ("repair", 0.8f))
     return {};
@@ -90,9 +100,8 @@ extractShape (const SampleDimensions& dimensions, bool watertight, StageLog& log
 
   if (!log.begin ("solids and curves", 0.92f))
     return {};
-  const std::vector<std::uint8_t> solid = findSolids (dimensions, roles, colors);
-  eraseSkins (dimensions, solid, surface);
-  eraseToManifold (samplesBesideSolids (complex, solid), surface);
+  const std::vector<std::uint8_t> solid = findSolids (dimensions, roles, solid_cells, colors, watertight);
+  eraseSkins (solid, watertight, surface);
 
   SimplicialComplex shape;
   for (const auto& edge : extractCurves (dimensions, roles, surface, solid))

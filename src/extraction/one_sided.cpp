@@ -1,10 +1,7 @@
 #include "extraction/one_sided.h"
 
-#include "common/parallel.h"
 #include "complex/disjoint_sets.h"
 #include "extraction/candidates.h"
-#include "extraction/cell_coloring.h"
-#include "extraction/color_changes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +11,6 @@ namespace manifold {
 
 namespace {
 
-// Circumspheres that intersect at less than 8 degrees: no surface passes between them.
-constexpr double FREE_SPACE_DEPTH = 0.99;
 // A change of colour in free space crosses a one-sided component of n samples from rim to rim, so that it
 // meets in the order of sqrt (n) of them. In noise there are a few.
 constexpr std::size_t MIN_SAMPLES = 24;
@@ -24,22 +19,14 @@ constexpr double MIN_SHARE_OF_ROOT = 0.5;
 } // namespace
 
 std::vector<std::uint8_t>
-findSeams (const SampleDimensions& dimensions, const std::vector<Role>& roles,
-           const std::vector<std::uint8_t>& colors)
+findSeams (const SampleDimensions& dimensions, const std::vector<Role>& roles, const std::vector<Facet>& torn)
 {
   const DelaunayComplex& complex = *dimensions.complex;
-  const std::vector<Facet> changes = colorChanges (complex, colors);
-  std::vector<std::uint8_t> seam (changes.size ());
-  parallelFor (changes.size (), [&] (std::size_t i) {
-    const auto [cell, facet] = changes[i];
-    seam[i] = !complex.isInfinite (complex.neighbors[cell][facet]) &&
-              intersectionDepth (complex, cell, facet) > FREE_SPACE_DEPTH &&
-              !isCandidate (dimensions, roles, cell, facet);
-  });
   std::vector<std::uint8_t> samples (roles.size (), 0);
-  for (std::size_t i = 0; i < seam.size (); ++i)
-    if (seam[i])
-      for (const std::int32_t vertex : facetOf (complex, changes[i].cell, changes[i].facet))
+  for (const Facet& facet : torn)
+    if (!complex.isInfinite (complex.neighbors[facet.cell][facet.facet]) &&
+        !isCandidate (dimensions, roles, facet.cell, facet.facet))
+      for (const std::int32_t vertex : facetOf (complex, facet.cell, facet.facet))
         samples[vertex] = 1;
   return samples;
 }

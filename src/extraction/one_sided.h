@@ -9,11 +9,11 @@
 namespace pcl {
 namespace manifold {
 
-/** Flags the samples of those triangles across which the colour changes in the middle of free space, between
- * cells whose circumspheres are nearly the same. That happens beside a surface with one side only, as a
- * Moebius band is: its two colours have to meet somewhere. To be called before any colour is repaired. */
+/** Flags the samples of those triangles across which the colour changes in the middle of free space and which
+ * are no candidates. That happens beside a surface with one side only, as a Moebius band is: its two colours
+ * have to meet somewhere. */
 std::vector<std::uint8_t> findSeams (const SampleDimensions& dimensions, const std::vector<Role>& roles,
-                                     const std::vector<std::uint8_t>& colors);
+                                     const std::vector<Facet>& torn);
 
 /** Erases the components of a surface that such a seam crosses. What is erased is left to growSurface, which
  * needs no sides. \return the number of samples that the surface was taken from */

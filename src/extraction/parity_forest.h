@@ -1,5 +1,8 @@
 #pragma once
 
+#include "common/parallel.h"
+
+#include <atomic>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -13,24 +16,24 @@ class ParityForest
 public:
   explicit ParityForest (std::size_t n) : link_ (n), size_ (n, 1)
   {
-    for (std::size_t i = 0; i < n; ++i)
-      link_[i] = static_cast<std::uint32_t> (i) << 1;
+    parallelFor (
+      n, [this] (std::size_t i) { set (static_cast<std::uint32_t> (i), static_cast<std::uint32_t> (i), 0); });
   }
 
   /** The root of the element's set, and whether its colour differs from the root's. */
   std::pair<std::uint32_t, std::uint32_t> find (std::uint32_t element)
   {
     std::uint32_t parity = 0;
-    std::uint32_t link = link_[element];
+    std::uint32_t link = linkOf (element);
     while (link >> 1 != element) {
-      const std::uint32_t next = link_[link >> 1];
+      const std::uint32_t next = linkOf (link >> 1);
       // Path halving: link the element to its grandparent, or to the root.
       if (next >> 1 != link >> 1)
         link = next ^ (link & 1);
-      link_[element] = link;
+      set (element, link >> 1, link & 1);
       parity ^= link & 1;
       element = link >> 1;
-      link = link_[element];
+      link = linkOf (element);
     }
     return {element, parity};
   }
@@ -39,11 +42,20 @@ public:
   std::pair<std::uint32_t, std::uint32_t> look (std::uint32_t element) const
   {
     std::uint32_t parity = 0;
-    for (std::uint32_t link = link_[element]; link >> 1 != element; link = link_[element]) {
+    for (std::uint32_t link = linkOf (element); link >> 1 != element; link = linkOf (element)) {
       parity ^= link & 1;
       element = link >> 1;
     }
     return {element, parity};
+  }
+
+  /** Links every element to its root, in parallel: makes later calls of find and look short. */
+  void compress ()
+  {
+    parallelFor (link_.size (), [this] (std::size_t i) {
+      const auto [root, parity] = look (static_cast<std::uint32_t> (i));
+      set (static_cast<std::uint32_t> (i), root, parity);
+    });
   }
 
   /** Joins the sets of two elements of the same or of opposite colours, unless they are in one set already.
@@ -56,13 +68,24 @@ public:
       return false;
     if (size_[root_a] < size_[root_b])
       std::swap (root_a, root_b);
-    link_[root_b] = root_a << 1 | (parity_a ^ parity_b ^ (opposite ? 1u : 0u));
+    set (root_b, root_a, parity_a ^ parity_b ^ (opposite ? 1u : 0u));
     size_[root_a] += size_[root_b];
     return true;
   }
 
 private:
-  std::vector<std::uint32_t> link_; // parent << 1 | colour relative to the parent
+  std::uint32_t linkOf (std::uint32_t element) const
+  {
+    return link_[element].load (std::memory_order_relaxed);
+  }
+
+  void set (std::uint32_t element, std::uint32_t parent, std::uint32_t parity)
+  {
+    link_[element].store (parent << 1 | parity, std::memory_order_relaxed);
+  }
+
+  // Atomic for compress: other threads may look along a way that is being shortened, and either is right.
+  std::vector<std::atomic<std::uint32_t>> link_; // parent << 1 | colour relative to the parent
   std::vector<std::uint32_t> size_;
 };
 

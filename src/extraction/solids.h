@@ -8,12 +8,23 @@
 namespace pcl {
 namespace manifold {
 
-/** The finite cells that make up solids, as a flag per cell. They grow from the cells at samples inside of a
- * solid, which are the candidates of COCONESHAPE, over cells of the same colour; a region that reaches the
- * outside that way is cut back to the candidates. The boundary of the result is a manifold at every sample.
- */
+/** Which cells solids can be made of, a flag per cell. */
+struct SolidCells
+{
+  std::vector<std::uint8_t> certain; ///< at a sample inside of a solid, as the candidates of COCONESHAPE, and
+                                     ///< no larger than its spacing there allows
+  std::vector<std::uint8_t> possible; ///< between samples of solids or their skins, likewise
+};
+
+SolidCells findSolidCells (const SampleDimensions& dimensions, const std::vector<Role>& roles);
+
+/** The cells that make up solids, as a flag per cell: the certain ones, and the possible ones of the same
+ * colour next to them. \param[in] closed solids are whole regions of one colour instead, so that their
+ * boundary is part of the surface where the colour changes The boundary of the result is a manifold at every
+ * sample. */
 std::vector<std::uint8_t> findSolids (const SampleDimensions& dimensions, const std::vector<Role>& roles,
-                                      const std::vector<std::uint8_t>& colors);
+                                      const SolidCells& cells, const std::vector<std::uint8_t>& colors,
+                                      bool closed);
 
 } // namespace manifold
 } // namespace pcl

@@ -11,8 +11,9 @@ namespace manifold {
 
 namespace {
 
-// Fewer samples without a triangle than this, next to each other, are noise beside a surface.
-constexpr std::uint32_t MIN_CLUSTER = 12;
+// Fewer samples without a triangle than this, next to each other, are noise beside a surface; more of them
+// are a sheet that has no two sides.
+constexpr std::uint32_t MIN_CLUSTER = 100;
 // Longer loops than this are kept as the boundary of something.
 constexpr std::size_t MAX_FILLED_LOOP = 6;
 

@@ -29,8 +29,7 @@ chooseOrigin (const Eigen::Vector3d& low, const Eigen::Vector3d& high)
   Eigen::Vector3d origin = Eigen::Vector3d::Zero ();
   for (int axis = 0; axis < 3; ++axis)
     if (std::abs (center[axis]) > FAR_FACTOR * extent)
-      // Rounded to float, so that a float coordinate of like size minus it is exact in double.
-      origin[axis] = static_cast<double> (static_cast<float> (center[axis]));
+      origin[axis] = center[axis]; // every coordinate is between half and twice as large
   return origin;
 }
 
@@ -62,40 +61,59 @@ isTooCoarse (const SampleSet& samples, double largest, double resolution)
   return medianSpacing (samples.points) < MIN_STEPS * step;
 }
 
+// The points that have this flag.
+Eigen::Matrix3Xd
+pointsWith (const Eigen::Matrix3Xd& points, const std::vector<std::uint8_t>& flags, std::uint8_t flag)
+{
+  Eigen::Matrix3Xd result (3, std::count (flags.begin (), flags.end (), flag));
+  Eigen::Index next = 0;
+  for (std::size_t i = 0; i < flags.size (); ++i)
+    if (flags[i] == flag)
+      result.col (next++) = points.col (i);
+  return result;
+}
+
+// A flag per sample: 1 = kept.
+std::vector<std::uint8_t>
+chooseSamples (const Thinning& thinning, const SampleSet& samples)
+{
+  std::vector<std::uint8_t> kept (static_cast<std::size_t> (samples.size ()), 1);
+  if (thinning.spacing > 0.0)
+    kept = thinBySpacing (samples.points, thinning.spacing * samples.scale);
+  if (thinning.k_search > 0) {
+    const std::vector<std::uint8_t> of_kept =
+      thinByNeighbors (pointsWith (samples.points, kept, 1), thinning.k_search);
+    auto next = of_kept.begin ();
+    for (std::uint8_t& flag : kept)
+      if (flag != 0)
+        flag = *next++;
+  }
+  return kept;
+}
+
 // Removes the samples that were not kept, and gives the points that they stood for to the nearest kept one.
 void
 keepOnly (const std::vector<std::uint8_t>& kept, SampleSet& samples)
 {
   const auto n = static_cast<std::size_t> (samples.size ());
-  const auto count = static_cast<std::size_t> (std::count (kept.begin (), kept.end (), 1));
-  if (count == n)
+  samples.thinned = static_cast<std::size_t> (std::count (kept.begin (), kept.end (), 0));
+  if (samples.thinned == 0)
     return;
-  Eigen::Matrix3Xd kept_points (3, count);
-  Eigen::Matrix3Xd dropped_points (3, n - count);
-  pcl::Indices kept_index (count);
+  Eigen::Matrix3Xd kept_points = pointsWith (samples.points, kept, 1);
+  const std::vector<std::int32_t> nearest = nearestPoints (kept_points, pointsWith (samples.points, kept, 0));
+  auto next_nearest = nearest.begin ();
+  pcl::Indices kept_index;
   std::vector<std::int32_t> new_sample (n);
-  std::vector<std::int32_t> dropped;
-  dropped.reserve (n - count);
-  std::int32_t next = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    if (kept[i]) {
-      kept_points.col (next) = samples.points.col (i);
-      kept_index[next] = samples.input_index[i];
-      new_sample[i] = next++;
-    } else {
-      dropped_points.col (dropped.size ()) = samples.points.col (i);
-      dropped.push_back (static_cast<std::int32_t> (i));
-    }
+    new_sample[i] = kept[i] ? static_cast<std::int32_t> (kept_index.size ()) : *next_nearest++;
+    if (kept[i])
+      kept_index.push_back (samples.input_index[i]);
   }
-  const std::vector<std::int32_t> nearest = nearestPoints (kept_points, dropped_points);
-  for (std::size_t i = 0; i < dropped.size (); ++i)
-    new_sample[dropped[i]] = nearest[i];
   for (std::int32_t& sample : samples.sample_of)
     if (sample >= 0)
       sample = new_sample[sample];
   samples.points = std::move (kept_points);
   samples.input_index = std::move (kept_index);
-  samples.thinned += n - count;
 }
 
 } // namespace
@@ -156,10 +174,7 @@ makeSampleSet (const Eigen::Matrix3Xd& points, const pcl::Indices& indices, cons
   const double largest = std::max (low.cwiseAbs ().maxCoeff (), high.cwiseAbs ().maxCoeff ());
   if (isTooCoarse (result, largest, resolution))
     return Status::INPUT_TOO_COARSE;
-  if (thinning.spacing > 0.0)
-    keepOnly (thinBySpacing (result.points, thinning.spacing * result.scale), result);
-  if (thinning.k_search > 0)
-    keepOnly (thinByNeighbors (result.points, thinning.k_search), result);
+  keepOnly (chooseSamples (thinning, result), result);
   samples = std::move (result);
   return Status::OK;
 }

@@ -33,6 +33,9 @@ randomOrder (std::size_t n)
   return order;
 }
 
+// The smallest cell of the grid in a share of the largest coordinate.
+constexpr double MIN_CELL = 0x1p-40;
+
 using Cell = std::array<std::int64_t, 3>;
 
 struct CellHash
@@ -75,33 +78,44 @@ std::vector<std::uint8_t>
 thinBySpacing (const Eigen::Matrix3Xd& points, double spacing)
 {
   const auto n = static_cast<std::size_t> (points.cols ());
+  if (n < 2)
+    return std::vector<std::uint8_t> (n, 1);
   std::vector<std::uint8_t> kept (n, 0);
-  // Cells are so small that each holds one kept point at the most, so far fewer look-ups find a free cell.
-  const double cell_size = spacing / std::sqrt (3.0) * (1.0 - 1e-12);
-  const double limit =
-    9e15; // beyond this a cell's number is no longer exact: such points are far apart anyway
+  // A cell holds one kept point at the most; very small spacings have larger cells, so that their numbers are
+  // exact.
+  const double cell_size = std::max (spacing / std::sqrt (3.0), points.cwiseAbs ().maxCoeff () * MIN_CELL);
   const auto cellOf = [&] (std::int32_t point) {
     Cell cell;
     for (int axis = 0; axis < 3; ++axis)
-      cell[axis] =
-        static_cast<std::int64_t> (std::clamp (std::floor (points (axis, point) / cell_size), -limit, limit));
+      cell[axis] = static_cast<std::int64_t> (std::floor (points (axis, point) / cell_size));
     return cell;
   };
-  std::unordered_map<Cell, std::int32_t, CellHash> grid;
+  std::unordered_map<Cell, std::int32_t, CellHash> grid; // the last kept point of each cell
+  std::vector<std::int32_t> next (n, -1);                // the one kept before it in its cell
+  const auto isFree = [&] (const Cell& cell, std::int32_t point) {
+    const auto first = grid.find (cell);
+    if (first == grid.end ())
+      return true;
+    for (std::int32_t q = first->second; q >= 0; q = next[q])
+      if ((points.col (q) - points.col (point)).norm () < spacing)
+        return false;
+    return true;
+  };
   for (const std::int32_t point : randomOrder (n)) {
     const Cell cell = cellOf (point);
-    bool free = grid.find (cell) == grid.end ();
+    bool free = isFree (cell, point); // most that are not see it there
     for (std::int64_t x = -2; free && x <= 2; ++x)
       for (std::int64_t y = -2; free && y <= 2; ++y)
-        for (std::int64_t z = -2; free && z <= 2; ++z) {
-          const auto neighbor = grid.find ({cell[0] + x, cell[1] + y, cell[2] + z});
-          free = neighbor == grid.end () ||
-                 (points.col (neighbor->second) - points.col (point)).norm () >= spacing;
-        }
+        for (std::int64_t z = -2; free && z <= 2; ++z)
+          free = isFree ({cell[0] + x, cell[1] + y, cell[2] + z}, point);
     if (!free)
       continue;
     kept[point] = 1;
-    grid.emplace (cell, point);
+    const auto [position, inserted] = grid.emplace (cell, point);
+    if (!inserted) {
+      next[point] = position->second;
+      position->second = point;
+    }
   }
   return kept;
 }

@@ -19,8 +19,9 @@ namespace {
 constexpr int NEIGHBORS = 10;
 // On a curve nearly all of them are on the curve; beside the rim of a surface half of them are inside of it.
 constexpr double CURVE_SHARE = 0.6;
-// Fewer samples than this that look like the inside of a solid, next to each other, are noise on a surface or
-// ends of curves: even a ball with four samples along its radius has more.
+// Samples that look like the inside of a solid are one only where enough of them are next to each other (a
+// ball with four samples along its radius has more) and one of them has no other neighbours: else they are
+// noise on a surface or ends of curves.
 constexpr std::uint32_t MIN_SOLID = 24;
 // On the skin of a solid about half of them are inside of it.
 constexpr double SOLID_SHARE = 0.3;
@@ -44,37 +45,52 @@ decide (int label, const std::array<int, 4>& count, int neighbors)
   return {2, label == 1};
 }
 
-// Whether every Delaunay neighbour has the label of the sample: then there is nothing to decide.
+// Whether there is nothing to decide: every Delaunay neighbour has the label of the sample, or the sample is one of a
+// surface with no more than two neighbours that are of a curve or a solid.
 bool
-isUniform (const DelaunayComplex& complex, const std::vector<std::uint8_t>& labels, std::int32_t sample)
+isClear (const DelaunayComplex& complex, const std::vector<std::uint8_t>& labels, std::int32_t sample)
 {
-  bool uniform = true;
-  VoronoiCell (complex, sample).forEachNeighbor ([&] (std::int32_t q) {
-    uniform &= labels[q] == labels[sample];
-  });
-  return uniform;
+  // A neighbour is visited once for every cell at the edge to it, of which there are three or more.
+  constexpr int VISITS_OF_THREE = 9;
+  std::array<int, 4> visits{};
+  VoronoiCell (complex, sample).forEachNeighbor ([&] (std::int32_t q) { ++visits[labels[q]]; });
+  if (labels[sample] == 2)
+    return visits[1] < VISITS_OF_THREE && visits[3] < VISITS_OF_THREE;
+  return visits[labels[sample]] == visits[1] + visits[2] + visits[3];
 }
 
-// The published labels, with 2 for those 3 that are too few to be a solid.
+// The published labels, with 2 for those 3 that are no solid.
 std::vector<std::uint8_t>
-withoutSmallSolids (const SampleDimensions& dimensions)
+withoutFalseSolids (const SampleDimensions& dimensions)
 {
   const DelaunayComplex& complex = *dimensions.complex;
   std::vector<std::uint8_t> labels = dimensions.dimension;
   const auto samples = static_cast<std::uint32_t> (labels.size ());
   DisjointSets solids (samples);
-  for (std::uint32_t i = 0; i < samples; ++i)
-    if (labels[i] == 3)
-      VoronoiCell (complex, static_cast<std::int32_t> (i)).forEachNeighbor ([&] (std::int32_t q) {
-        if (labels[q] == 3)
-          solids.join (i, static_cast<std::uint32_t> (q));
-      });
+  std::vector<std::uint8_t> inside (samples, 0); // has no other neighbours
+  for (std::uint32_t i = 0; i < samples; ++i) {
+    if (labels[i] != 3)
+      continue;
+    inside[i] = 1;
+    VoronoiCell (complex, static_cast<std::int32_t> (i)).forEachNeighbor ([&] (std::int32_t q) {
+      if (labels[q] == 3)
+        solids.join (i, static_cast<std::uint32_t> (q));
+      else
+        inside[i] = 0;
+    });
+  }
   std::vector<std::uint32_t> sizes (samples, 0);
-  for (std::uint32_t i = 0; i < samples; ++i)
-    ++sizes[solids.find (i)];
-  for (std::uint32_t i = 0; i < samples; ++i)
-    if (labels[i] == 3 && sizes[solids.find (i)] < MIN_SOLID)
+  std::vector<std::uint8_t> has_inside (samples, 0);
+  for (std::uint32_t i = 0; i < samples; ++i) {
+    const std::uint32_t solid = solids.find (i);
+    ++sizes[solid];
+    has_inside[solid] |= inside[i];
+  }
+  for (std::uint32_t i = 0; i < samples; ++i) {
+    const std::uint32_t solid = solids.find (i);
+    if (labels[i] == 3 && (sizes[solid] < MIN_SOLID || !has_inside[solid]))
       labels[i] = 2;
+  }
   return labels;
 }
 
@@ -91,13 +107,13 @@ decideManifoldDimensions (SampleDimensions& dimensions)
       complex.affine_dimension == 1 ? 1 : 0;
     return;
   }
-  const std::vector<std::uint8_t> labels = withoutSmallSolids (dimensions);
+  const std::vector<std::uint8_t> labels = withoutFalseSolids (dimensions);
   const auto decideRange = [&] (std::size_t begin, std::size_t end) {
     NearestSamples nearest (complex);
     for (std::size_t i = begin; i < end; ++i) {
       const auto sample = static_cast<std::int32_t> (i);
       dimensions.manifold_dimension[i] = labels[i];
-      if (isUniform (complex, labels, sample))
+      if (isClear (complex, labels, sample))
         continue;
       std::array<int, 4> count{};
       const std::vector<std::int32_t>& around = nearest.find (sample, NEIGHBORS);
@@ -108,7 +124,7 @@ decideManifoldDimensions (SampleDimensions& dimensions)
       dimensions.boundary[i] = decision.boundary ? 1 : 0;
     }
   };
-  parallelRanges (labels.size (), decideRange);
+  parallelRanges (labels.size (), decideRange, std::max<std::size_t> (1024, labels.size () / 64));
 }
 
 } // namespace manifold

@@ -15,7 +15,7 @@ namespace manifold {
 class NearestSamples
 {
 public:
-  explicit NearestSamples (const DelaunayComplex& complex) : complex_ (complex) {}
+  explicit NearestSamples (const DelaunayComplex& complex);
 
   /** The k nearest other samples of a sample, nearest first (ties by number); fewer where there are not so
    * many. Valid until the next call. */
@@ -24,7 +24,7 @@ public:
 private:
   const DelaunayComplex& complex_;
   std::vector<std::pair<double, std::int32_t>> queue_;
-  std::vector<std::int32_t> seen_;
+  std::vector<std::int32_t> seen_by_; // the last sample asked for that came across this one
   std::vector<std::int32_t> found_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <pcl/PCLPointCloud2.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>

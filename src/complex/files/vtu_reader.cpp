@@ -5,6 +5,7 @@
 #include "complex/files/vtu_values.h"
 #include "complex/files/xml_tags.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
