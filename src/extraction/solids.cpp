@@ -78,9 +78,11 @@ findSolidCells (const SampleDimensions& dimensions, const std::vector<Role>& rol
   parallelFor (static_cast<std::size_t> (complex.finite_cells), [&] (std::size_t i) {
     const DelaunayComplex::Cell& cell = complex.cells[i];
     const double radius = (complex.centers.col (i) - complex.samples->points.col (cell[0])).norm ();
-    cells.certain[i] = std::any_of (cell.begin (), cell.end (), [&] (std::int32_t vertex) {
-      return roles[vertex] == Role::SOLID && radius <= MAX_RADIUS * spacing[vertex];
-    });
+    const auto of_solids =
+      std::count_if (cell.begin (), cell.end (), [&] (std::int32_t v) { return spacing[v] > 0.0; });
+    cells.certain[i] = of_solids == 4 && std::any_of (cell.begin (), cell.end (), [&] (std::int32_t vertex) {
+                         return roles[vertex] == Role::SOLID && radius <= MAX_RADIUS * spacing[vertex];
+                       });
     double largest = 0.0;
     double smallest = std::numeric_limits<double>::infinity ();
     for (const std::int32_t vertex : cell) {

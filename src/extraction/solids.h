@@ -11,9 +11,10 @@ namespace manifold {
 /** Which cells solids can be made of, a flag per cell. */
 struct SolidCells
 {
-  std::vector<std::uint8_t> certain; ///< at a sample inside of a solid, as the candidates of COCONESHAPE, and
-                                     ///< no larger than its spacing there allows
-  std::vector<std::uint8_t> possible; ///< between samples of solids or their skins, likewise
+  /// Between samples of solids or their skins, and no larger than the spacing there allows.
+  std::vector<std::uint8_t> possible;
+  /// Likewise, and at a sample inside of a solid: the candidates of COCONESHAPE.
+  std::vector<std::uint8_t> certain;
 };
 
 SolidCells findSolidCells (const SampleDimensions& dimensions, const std::vector<Role>& roles);

@@ -1,5 +1,7 @@
 #include "voronoi/cocone.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -83,13 +85,14 @@ coconeNeighbors (const DelaunayComplex& complex, const VoronoiCell& cell, const 
     if (q >= 0)
       neighbors.push_back (q);
   cell.forEachEdge ([&] (std::int32_t a, std::int32_t b, int facet) {
-    const Eigen::Vector3d va = cell.vertex (a);
-    const Eigen::Vector3d vb = cell.vertex (b);
+    const bool is_line = cell.isInfinite (a); // of samples in a plane, across it
     const bool to_infinity = cell.isInfinite (b);
-    const double cosine = cell.isInfinite (a)
-                            ? largestSquaredCosine (tangent, va, vb, 0.0)
-                            : largestSquaredCosine (tangent, va, to_infinity ? vb : Eigen::Vector3d (vb - va),
-                                                    to_infinity ? TO_INFINITY : 1.0);
+    const Eigen::Vector3d va = is_line ? cell.triangleCenter (a, facet) : cell.vertex (a);
+    const Eigen::Vector3d vb = cell.vertex (b);
+    double cosine = largestSquaredCosine (tangent, va, to_infinity ? vb : Eigen::Vector3d (vb - va),
+                                          to_infinity ? TO_INFINITY : 1.0);
+    if (is_line)
+      cosine = std::max (cosine, largestSquaredCosine (tangent, va, -vb, TO_INFINITY));
     if (cosine <= bound)
       return;
     for (int k = 0; k < 4; ++k)
@@ -98,7 +101,13 @@ coconeNeighbors (const DelaunayComplex& complex, const VoronoiCell& cell, const 
   });
   cell.forEachUnboundedFace ([&] (std::int32_t a, std::int32_t b, std::int32_t q, std::int32_t) {
     const Eigen::Vector3d da = cell.vertex (a);
-    if (largestSquaredCosine (tangent, da, cell.vertex (b) - da, 1.0) > bound)
+    double cosine = largestSquaredCosine (tangent, da, cell.vertex (b) - da, 1.0);
+    if (complex.affine_dimension == 2 && da.dot (cell.vertex (b)) < 0.0) {
+      // At the rim of a plane the face is half of the bisector: all directions across and out of the plane.
+      const Eigen::Vector3d out = cell.relative (q).cross (da).normalized ();
+      cosine = tangent.dot (da) * tangent.dot (da) + tangent.dot (out) * tangent.dot (out);
+    }
+    if (cosine > bound)
       neighbors.push_back (q);
   });
   std::sort (neighbors.begin (), neighbors.end ());

@@ -25,6 +25,10 @@ constexpr double CURVE_SHARE = 0.6;
 constexpr std::uint32_t MIN_SOLID = 24;
 // On the skin of a solid about half of them are inside of it.
 constexpr double SOLID_SHARE = 0.3;
+// Of those around an edge of a solid this many belong to it.
+constexpr double SKIN_SHARE = 0.5;
+// From the faces of a solid on to its edges, and from there on to its corners.
+constexpr int SKIN_PASSES = 3;
 
 struct Decision
 {
@@ -45,8 +49,8 @@ decide (int label, const std::array<int, 4>& count, int neighbors)
   return {2, label == 1};
 }
 
-// Whether there is nothing to decide: every Delaunay neighbour has the label of the sample, or the sample is one of a
-// surface with no more than two neighbours that are of a curve or a solid.
+// Whether there is nothing to decide: every Delaunay neighbour has the label of the sample, or the sample is
+// one of a surface with no more than two neighbours that are of a curve or a solid.
 bool
 isClear (const DelaunayComplex& complex, const std::vector<std::uint8_t>& labels, std::int32_t sample)
 {
@@ -94,6 +98,46 @@ withoutFalseSolids (const SampleDimensions& dimensions)
   return labels;
 }
 
+// Calls decideAt (sample, nearest) for all samples, nearest to find the nearest ones with; in parallel.
+template <typename DecideAt>
+void
+forEachSample (const DelaunayComplex& complex, const DecideAt& decideAt)
+{
+  const auto samples = static_cast<std::size_t> (complex.samples->size ());
+  parallelRanges (
+    samples,
+    [&] (std::size_t begin, std::size_t end) {
+      NearestSamples nearest (complex);
+      for (std::size_t i = begin; i < end; ++i)
+        decideAt (static_cast<std::int32_t> (i), nearest);
+    },
+    std::max<std::size_t> (1024, samples / 64));
+}
+
+// At the edges and corners of a solid fewer of the nearest samples are inside of it, but most belong to it:
+// samples that were taken for ones of a surface join it.
+void
+completeSkins (SampleDimensions& dimensions)
+{
+  const DelaunayComplex& complex = *dimensions.complex;
+  const std::vector<std::uint8_t> decided = dimensions.manifold_dimension;
+  forEachSample (complex, [&] (std::int32_t sample, NearestSamples& nearest) {
+    if (decided[sample] != 2)
+      return;
+    bool beside_solid = false;
+    VoronoiCell (complex, sample).forEachNeighbor ([&] (std::int32_t q) { beside_solid |= decided[q] == 3; });
+    if (!beside_solid)
+      return;
+    const std::vector<std::int32_t>& around = nearest.find (sample, NEIGHBORS);
+    const auto solid =
+      std::count_if (around.begin (), around.end (), [&] (std::int32_t q) { return decided[q] == 3; });
+    if (static_cast<double> (solid) < SKIN_SHARE * static_cast<double> (around.size ()))
+      return;
+    dimensions.manifold_dimension[sample] = 3;
+    dimensions.boundary[sample] = 1;
+  });
+}
+
 } // namespace
 
 void
@@ -108,23 +152,21 @@ decideManifoldDimensions (SampleDimensions& dimensions)
     return;
   }
   const std::vector<std::uint8_t> labels = withoutFalseSolids (dimensions);
-  const auto decideRange = [&] (std::size_t begin, std::size_t end) {
-    NearestSamples nearest (complex);
-    for (std::size_t i = begin; i < end; ++i) {
-      const auto sample = static_cast<std::int32_t> (i);
-      dimensions.manifold_dimension[i] = labels[i];
-      if (isClear (complex, labels, sample))
-        continue;
-      std::array<int, 4> count{};
-      const std::vector<std::int32_t>& around = nearest.find (sample, NEIGHBORS);
-      for (const std::int32_t q : around)
-        ++count[labels[q]];
-      const Decision decision = decide (labels[i], count, static_cast<int> (around.size ()));
-      dimensions.manifold_dimension[i] = static_cast<std::uint8_t> (decision.dimension);
-      dimensions.boundary[i] = decision.boundary ? 1 : 0;
-    }
-  };
-  parallelRanges (labels.size (), decideRange, std::max<std::size_t> (1024, labels.size () / 64));
+  forEachSample (complex, [&] (std::int32_t sample, NearestSamples& nearest) {
+    dimensions.manifold_dimension[sample] = labels[sample];
+    if (isClear (complex, labels, sample))
+      return;
+    std::array<int, 4> count{};
+    const std::vector<std::int32_t>& around = nearest.find (sample, NEIGHBORS);
+    for (const std::int32_t q : around)
+      ++count[labels[q]];
+    const Decision decision = decide (labels[sample], count, static_cast<int> (around.size ()));
+    dimensions.manifold_dimension[sample] = static_cast<std::uint8_t> (decision.dimension);
+    dimensions.boundary[sample] = decision.boundary ? 1 : 0;
+  });
+  if (std::find (labels.begin (), labels.end (), 3) != labels.end ())
+    for (int pass = 0; pass < SKIN_PASSES; ++pass)
+      completeSkins (dimensions);
 }
 
 } // namespace manifold

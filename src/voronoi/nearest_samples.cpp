@@ -9,7 +9,7 @@ namespace pcl {
 namespace manifold {
 
 NearestSamples::NearestSamples (const DelaunayComplex& complex)
-: complex_ (complex), seen_by_ (static_cast<std::size_t> (complex.samples->size ()), -1)
+  : complex_ (complex), seen_in_ (static_cast<std::size_t> (complex.samples->size ()), 0)
 {}
 
 const std::vector<std::int32_t>&
@@ -18,12 +18,12 @@ NearestSamples::find (std::int32_t sample, int k)
   const VoronoiCell cell (complex_, sample);
   queue_.clear ();
   found_.clear ();
-  seen_by_[sample] = sample;
+  seen_in_[sample] = ++call_;
   const auto lookAround = [&] (const VoronoiCell& center) {
     center.forEachNeighbor ([&] (std::int32_t q) {
-      if (seen_by_[q] == sample)
+      if (seen_in_[q] == call_)
         return;
-      seen_by_[q] = sample;
+      seen_in_[q] = call_;
       queue_.emplace_back (cell.relative (q).squaredNorm (), q);
       std::push_heap (queue_.begin (), queue_.end (), std::greater<> ());
     });

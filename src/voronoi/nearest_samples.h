@@ -24,7 +24,8 @@ public:
 private:
   const DelaunayComplex& complex_;
   std::vector<std::pair<double, std::int32_t>> queue_;
-  std::vector<std::int32_t> seen_by_; // the last sample asked for that came across this one
+  std::uint32_t call_ = 0;
+  std::vector<std::uint32_t> seen_in_; // the last call that came across a sample
   std::vector<std::int32_t> found_;
 };
 

@@ -2,8 +2,11 @@
 
 #include <pcl/manifold/detail/delaunay_complex.h>
 
+#include "delaunay/circumcenter.h"
+
 #include <Eigen/Core>
 
+#include <array>
 #include <cstdint>
 
 namespace pcl {
@@ -37,6 +40,17 @@ public:
     if (complex_.isInfinite (cell))
       return complex_.centers.col (cell);
     return complex_.centers.col (cell) - point_;
+  }
+
+  /** The centre of a triangle at p relative to it, given as a facet of cell a. Where the samples lie in a
+   * plane, the dual Voronoi edge is the line through it across the plane. */
+  Eigen::Vector3d triangleCenter (std::int32_t a, int facet) const
+  {
+    std::array<Eigen::Vector3d, 3> corners;
+    for (int k = 0, count = 0; k < 4; ++k)
+      if (k != facet)
+        corners[count++] = relative (complex_.cells[a][k]);
+    return circumcenter (corners[0], corners[1], corners[2]);
   }
 
   /** Another sample relative to p. */
