@@ -52,7 +52,7 @@ main (int argc, char** argv)
              {1e-9, 1.0})
     .option ("k", "k",
              "thin the cloud: no two samples among each other's k nearest neighbours; 0 = off.\n"
-             "4 to 8 for airborne scans, 24 to 48 for random or noisy points",
+             "4 to 8 for airborne scans, 12 to 48 for random or noisy points: no more than it takes",
              k, {0, 100000})
     .option ("spacing", "h", "thin the cloud: no two samples nearer than h; 0 = off", spacing, {0, 1e300})
     .flag ("watertight", "close every surface", watertight)

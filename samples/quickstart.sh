@@ -66,7 +66,7 @@ shape () {
 
 say "4/5 dimension: which points lie on curves, on surfaces, in solids"
 dimension scene.pcd
-dimension lidar-aerial.pcd -k 4
+dimension lidar-aerial.pcd
 if [ ${#real[@]} -gt 0 ]; then
   dimension b9_training.ply -k 4
 fi

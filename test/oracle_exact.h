@@ -2,7 +2,11 @@
 
 #include <Eigen/Core>
 
+// GCC takes numbers of Boost's that are small for uninitialized large ones.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #include <boost/multiprecision/cpp_int.hpp>
+#pragma GCC diagnostic pop
 
 #include <array>
 #include <cstdint>

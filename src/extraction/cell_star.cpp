@@ -14,17 +14,20 @@ CellStar::split (std::int32_t sample, const std::vector<std::uint8_t>& colors)
   cells_.assign (star.begin (), star.end ());
   component_.assign (cells_.size (), -1);
   sizes_.clear ();
+  infinite_.clear ();
   for (std::size_t seed = 0; seed < cells_.size (); ++seed) {
     if (component_[seed] >= 0)
       continue;
     const int component = components ();
     sizes_.push_back (0);
+    infinite_.push_back (0);
     component_[seed] = component;
     stack_.assign (1, static_cast<int> (seed));
     while (!stack_.empty ()) {
       const std::int32_t cell = cells_[stack_.back ()];
       stack_.pop_back ();
       ++sizes_.back ();
+      infinite_.back () |= complex_.isInfinite (cell) ? 1 : 0;
       for (int k = 0; k < 4; ++k) {
         const std::int32_t neighbor = complex_.neighbors[cell][k];
         if (complex_.cells[cell][k] == sample || colors[neighbor] != colors[cell])
@@ -40,9 +43,18 @@ CellStar::split (std::int32_t sample, const std::vector<std::uint8_t>& colors)
 }
 
 int
-CellStar::smallest () const
+CellStar::smallest (bool finite) const
 {
-  return static_cast<int> (std::min_element (sizes_.begin (), sizes_.end ()) - sizes_.begin ());
+  int best = 0;
+  const auto isBetter = [&] (int component) {
+    if (finite && infinite_[component] != infinite_[best])
+      return infinite_[component] < infinite_[best];
+    return sizes_[component] < sizes_[best];
+  };
+  for (int component = 1; component < components (); ++component)
+    if (isBetter (component))
+      best = component;
+  return best;
 }
 
 std::vector<std::int32_t>

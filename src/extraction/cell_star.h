@@ -21,8 +21,9 @@ public:
 
   int components () const { return static_cast<int> (sizes_.size ()); }
 
-  /** The component with the fewest cells; of equal ones the first. */
-  int smallest () const;
+  /** The component with the fewest cells; of equal ones the first.
+   * \param[in] finite leaves out those with infinite cells, unless there are no others */
+  int smallest (bool finite) const;
 
   /** The cells of a component, in ascending order. */
   std::vector<std::int32_t> cellsOf (int component) const;
@@ -32,6 +33,7 @@ private:
   std::vector<std::int32_t> cells_;
   std::vector<int> component_;
   std::vector<int> sizes_;
+  std::vector<std::uint8_t> infinite_; // whether a component has infinite cells
   std::vector<int> stack_;
 };
 

@@ -94,7 +94,7 @@ private:
     star_.split (sample, colors_);
     if (changes_[sample] < MAX_CHANGES) {
       ++changes_[sample];
-      change (star_.cellsOf (star_.smallest ()));
+      change (star_.cellsOf (star_.smallest (closed_))); // the outside stays the outside
     } else if (closed_) {
       ++given_up_;
       const VoronoiCell star (complex_, sample);
@@ -107,10 +107,6 @@ private:
 
   void change (const std::vector<std::int32_t>& cells)
   {
-    // The outside stays the outside.
-    if (closed_ && std::any_of (cells.begin (), cells.end (),
-                                [this] (std::int32_t cell) { return complex_.isInfinite (cell); }))
-      return;
     for (const std::int32_t cell : cells)
       colors_[cell] ^= 1;
     for (const std::int32_t cell : cells)

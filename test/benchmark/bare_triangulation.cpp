@@ -14,10 +14,8 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 template <typename Tag>
 using Triangulation = CGAL::Delaunay_triangulation_3<
-    Kernel,
-    CGAL::Triangulation_data_structure_3<CGAL::Triangulation_vertex_base_3<Kernel>,
-                                         CGAL::Delaunay_triangulation_cell_base_3<Kernel>,
-                                         Tag>>;
+  Kernel, CGAL::Triangulation_data_structure_3<CGAL::Triangulation_vertex_base_3<Kernel>,
+                                               CGAL::Delaunay_triangulation_cell_base_3<Kernel>, Tag>>;
 
 double
 secondsSince (std::chrono::steady_clock::time_point start)
@@ -40,7 +38,8 @@ bareTriangulation (const Eigen::Matrix3Xd& points, bool parallel, std::size_t& c
   double seconds = 0.0;
   if (parallel) {
     using T = Triangulation<CGAL::Parallel_tag>;
-    T::Lock_data_structure locks (CGAL::Bbox_3 (low.x (), low.y (), low.z (), high.x (), high.y (), high.z ()), 50);
+    T::Lock_data_structure locks (
+      CGAL::Bbox_3 (low.x (), low.y (), low.z (), high.x (), high.y (), high.z ()), 50);
     T triangulation (input.begin (), input.end (), &locks);
     seconds = secondsSince (start);
     cells = triangulation.number_of_cells ();

@@ -13,13 +13,13 @@
 #include <thread>
 #include <vector>
 
-// Prints how long DIMENSION and COCONESHAPE take as multiples of the bare triangulation of the same points in the same
-// run, and the share of every stage.
+// Prints how long DIMENSION and COCONESHAPE take as multiples of the bare triangulation of the same points in
+// the same run, and the share of every stage.
 //
 //   benchmark_cocone_shape [SHAPE] [POINTS] [NOISE] [THREADS] [RUNS]
 //
-// SHAPE is sphere, torus or genus3; NOISE is in spacings (0 = a clean blue noise sample). The triangulation is the
-// faster of CGAL's sequential and parallel insertion; medians over the runs.
+// SHAPE is sphere, torus or genus3; NOISE is in spacings (0 = a clean blue noise sample). The triangulation
+// is the faster of CGAL's sequential and parallel insertion; medians over the runs.
 
 namespace {
 
@@ -63,8 +63,8 @@ runShape (const Eigen::Matrix3Xd& points, unsigned int threads)
   std::shared_ptr<const pcl::manifold::SampleDimensions> dimensions;
   pcl::SimplicialComplex shape;
   const auto start = Clock::now ();
-  const auto status = pcl::manifold::reconstructShape (
-      points, {}, pcl::manifold::FLOAT_RESOLUTION, parameters, log, dimensions, shape);
+  const auto status = pcl::manifold::reconstructShape (points, {}, pcl::manifold::FLOAT_RESOLUTION,
+                                                       parameters, log, dimensions, shape);
   Run run;
   run.seconds = std::chrono::duration<double> (Clock::now () - start).count ();
   run.stages = log.stages ();
@@ -79,6 +79,11 @@ int
 main (int argc, char** argv)
 {
   const std::string shape = argc > 1 ? argv[1] : "genus3";
+  if (shape != "sphere" && shape != "torus" && shape != "genus3") {
+    std::printf (
+      "usage: benchmark_cocone_shape [sphere|torus|genus3] [POINTS] [NOISE in spacings] [THREADS] [RUNS]\n");
+    return shape == "-h" ? 0 : 2;
+  }
   const auto count = static_cast<std::size_t> (argc > 2 ? std::atof (argv[2]) : 1e5);
   const double noise = argc > 3 ? std::atof (argv[3]) : 0.2;
   const auto threads = static_cast<unsigned int> (argc > 4 ? std::atoi (argv[4]) : 2);
@@ -94,7 +99,8 @@ main (int argc, char** argv)
   std::size_t cells = 0;
   for (int run = 0; run < runs; ++run) {
     sequential.push_back (benchmark::bareTriangulation (points, false, cells));
-    parallel.push_back (threads > 1 ? benchmark::bareTriangulation (points, true, cells) : sequential.back ());
+    parallel.push_back (threads > 1 ? benchmark::bareTriangulation (points, true, cells)
+                                    : sequential.back ());
     const Run result = runShape (points, threads);
     total.push_back (result.seconds);
     double up_to_dimension = 0.0;
@@ -112,7 +118,8 @@ main (int argc, char** argv)
   std::printf ("%s, %ld points, noise %.2f spacings, %u threads, %.1f cells a point\n", shape.c_str (),
                static_cast<long> (points.cols ()), noise, threads,
                static_cast<double> (cells) / static_cast<double> (points.cols ()));
-  std::printf ("bare triangulation: sequential %.3f s, parallel %.3f s\n", median (sequential), median (parallel));
+  std::printf ("bare triangulation: sequential %.3f s, parallel %.3f s\n", median (sequential),
+               median (parallel));
   std::printf ("DIMENSION   %.3f s = %.2f times the faster\n", median (dimension), median (dimension) / bare);
   std::printf ("COCONESHAPE %.3f s = %.2f times the faster\n", median (total), median (total) / bare);
   for (std::size_t i = 0; i < names.size (); ++i)

@@ -2,7 +2,6 @@
 
 #include <app_main.h>
 
-#include <chrono>
 #include <cstdio>
 #include <exception>
 
@@ -17,26 +16,6 @@ using namespace evaluate;
 
 // Smaller files are sketches, not samples of a surface.
 constexpr Eigen::Index MIN_POINTS = 1000;
-
-must_show::Evaluation
-reconstruct (const Eigen::Matrix3Xd& points, bool watertight, unsigned int threads,
-             const std::shared_ptr<const pcl::manifold::SampleDimensions>& dimensions)
-{
-  pcl::manifold::ShapeParameters parameters;
-  parameters.watertight = watertight;
-  parameters.dimension.threads = threads;
-  parameters.dimension.dimensions = dimensions;
-  pcl::manifold::StageLog log;
-  must_show::Evaluation result;
-  const auto start = std::chrono::steady_clock::now ();
-  result.status = pcl::manifold::reconstructShape (points, {}, pcl::manifold::FLOAT_RESOLUTION, parameters,
-                                                   log, result.dimensions, result.shape);
-  result.seconds = std::chrono::duration<double> (std::chrono::steady_clock::now () - start).count ();
-  if (result.status == pcl::manifold::Status::OK)
-    result.samples = static_cast<std::size_t> (result.dimensions->complex->samples->size ());
-  result.topology = pcl::manifold::analyze (result.shape);
-  return result;
-}
 
 void
 printHeader ()
@@ -75,8 +54,8 @@ evaluateModel (const Model& model, unsigned int threads)
   const Eigen::Matrix3Xd points = model.points ();
   if (points.cols () < MIN_POINTS)
     return 0;
-  const must_show::Evaluation open = reconstruct (points, false, threads, nullptr);
-  const must_show::Evaluation watertight = reconstruct (points, true, threads, open.dimensions);
+  const must_show::Evaluation open = must_show::reconstruct (points, false, nullptr, threads);
+  const must_show::Evaluation watertight = must_show::reconstruct (points, true, open.dimensions, threads);
   return !printRow (model.name, "open", open, model.open) +
          !printRow (model.name, "shut", watertight, model.watertight);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/console/print.h>
+#include <pcl/impl/pcl_base.hpp> // for point types that PCL does not instantiate itself
 #include <pcl/manifold/dimension_detection.h>
 #include <pcl/manifold/impl/cloud_points.hpp>
 
