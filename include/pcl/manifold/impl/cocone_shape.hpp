@@ -4,11 +4,7 @@
 #include <pcl/conversions.h>
 #include <pcl/manifold/cocone_shape.h>
 #include <pcl/manifold/impl/cloud_points.hpp>
-// The base class names search trees: these are for point types that PCL does not instantiate itself.
-#include <pcl/kdtree/impl/kdtree_flann.hpp>
-#include <pcl/search/impl/kdtree.hpp>
-#include <pcl/search/impl/organized.hpp>
-#include <pcl/search/impl/search.hpp>
+
 
 template <typename PointT>
 void
