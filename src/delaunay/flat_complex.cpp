@@ -13,6 +13,10 @@ namespace {
 
 using Cell = DelaunayComplex::Cell;
 
+// Into how many pieces the samples are divided at most where every piece costs a look at all cells.
+constexpr std::size_t MAX_PIECES = 4;
+constexpr std::size_t MIN_PIECE = 10000;
+
 bool
 isInfinite (const Cell& cell)
 {
@@ -138,26 +142,33 @@ computeCenters (DelaunayComplex& complex)
 void
 collectIncidentCells (DelaunayComplex& complex)
 {
+  // Plain counting, in order: atomic counters, with a sort afterwards, take longer than one thread without
+  // them. Each of a few pieces of the samples reads all cells.
   const auto samples = static_cast<std::size_t> (complex.samples->size ());
-  std::vector<std::atomic<std::int32_t>> counts (samples);
-  parallelFor (complex.cells.size (), [&] (std::size_t i) {
-    for (const std::int32_t vertex : complex.cells[i])
-      if (vertex != DelaunayComplex::INFINITE_VERTEX)
-        counts[vertex].fetch_add (1, std::memory_order_relaxed);
-  });
-  complex.incident_offsets = offsetsOf (counts);
-  complex.incident_cells.resize (complex.incident_offsets.back ());
-  parallelFor (complex.cells.size (), [&] (std::size_t i) {
-    for (const std::int32_t vertex : complex.cells[i])
-      if (vertex != DelaunayComplex::INFINITE_VERTEX) {
-        const std::int32_t position = counts[vertex].fetch_sub (1, std::memory_order_relaxed) - 1;
-        complex.incident_cells[complex.incident_offsets[vertex] + position] = static_cast<std::int32_t> (i);
-      }
-  });
-  parallelFor (samples, [&] (std::size_t v) {
-    std::sort (complex.incident_cells.begin () + complex.incident_offsets[v],
-               complex.incident_cells.begin () + complex.incident_offsets[v + 1]);
-  });
+  const std::size_t pieces = std::min<std::size_t> (MAX_PIECES, samples / MIN_PIECE + 1);
+  const auto forPiece = [&] (std::size_t piece, const auto& body) {
+    const auto begin = static_cast<std::int32_t> (samples * piece / pieces);
+    const auto end = static_cast<std::int32_t> (samples * (piece + 1) / pieces);
+    for (std::size_t i = 0; i < complex.cells.size (); ++i)
+      for (const std::int32_t vertex : complex.cells[i])
+        if (vertex >= begin && vertex < end)
+          body (vertex, static_cast<std::int32_t> (i));
+  };
+  std::vector<std::int32_t>& offsets = complex.incident_offsets;
+  offsets.assign (samples + 1, 0);
+  parallelFor (
+    pieces,
+    [&] (std::size_t piece) { forPiece (piece, [&] (std::int32_t v, std::int32_t) { ++offsets[v + 1]; }); },
+    1);
+  std::partial_sum (offsets.begin (), offsets.end (), offsets.begin ());
+  complex.incident_cells.resize (static_cast<std::size_t> (offsets.back ()));
+  std::vector<std::int32_t> next (offsets.begin (), offsets.end () - 1);
+  parallelFor (
+    pieces,
+    [&] (std::size_t piece) {
+      forPiece (piece, [&] (std::int32_t v, std::int32_t cell) { complex.incident_cells[next[v]++] = cell; });
+    },
+    1);
 }
 
 } // namespace

@@ -1,9 +1,6 @@
 #include "extraction/facet_set.h"
 
-#include "common/parallel.h"
-
 #include <algorithm>
-#include <atomic>
 
 namespace pcl {
 namespace manifold {
@@ -44,28 +41,24 @@ std::vector<std::uint8_t>
 FacetSet::coverage () const
 {
   // In a disk every sample of the link belongs to two triangles, so that all the samples of the triangles
-  // cancel each other; the two ends of a fan do not.
-  const auto samples = static_cast<std::size_t> (complex_->samples->size ());
-  std::vector<std::atomic<std::uint32_t>> ends (samples);
-  std::vector<std::atomic<std::uint8_t>> covered (samples);
-  parallelFor (mask_.size (), [&] (std::size_t i) {
+  // cancel each other; the two ends of a fan do not. One thread does this faster than several with atomic
+  // counters.
+  std::vector<std::uint8_t> coverage (static_cast<std::size_t> (complex_->samples->size ()), 0);
+  std::vector<std::int32_t> ends (coverage.size (), 0);
+  for (std::size_t i = 0; i < mask_.size (); ++i)
     for (int facet = 0; mask_[i] != 0 && facet < 4; ++facet) {
       const auto cell = static_cast<std::int32_t> (i);
       if (!contains (cell, facet) || cell > complex_->neighbors[i][facet])
         continue;
       const std::array<std::int32_t, 3> triangle = facetOf (*complex_, cell, facet);
       for (int k = 0; k < 3; ++k) {
-        covered[triangle[k]].store (1, std::memory_order_relaxed);
-        ends[triangle[k]].fetch_xor (
-          static_cast<std::uint32_t> (triangle[(k + 1) % 3] ^ triangle[(k + 2) % 3]),
-          std::memory_order_relaxed);
+        coverage[triangle[k]] = COVERED;
+        ends[triangle[k]] ^= triangle[(k + 1) % 3] ^ triangle[(k + 2) % 3];
       }
     }
-  });
-  std::vector<std::uint8_t> coverage (samples);
-  for (std::size_t i = 0; i < samples; ++i)
-    coverage[i] =
-      static_cast<std::uint8_t> ((covered[i].load () != 0 ? COVERED : 0) | (ends[i].load () != 0 ? OPEN : 0));
+  for (std::size_t i = 0; i < ends.size (); ++i)
+    if (ends[i] != 0)
+      coverage[i] |= OPEN;
   return coverage;
 }
 

@@ -23,7 +23,7 @@ localSpacing (const DelaunayComplex& complex, std::int32_t sample)
   constexpr std::size_t NEIGHBOR = 3;
   const VoronoiCell cell (complex, sample);
   std::vector<std::int32_t> neighbors;
-  cell.forEachNeighbor ([&neighbors] (std::int32_t q) { neighbors.push_back (q); });
+  cell.visitNeighbors ([&neighbors] (std::int32_t q) { neighbors.push_back (q); });
   std::sort (neighbors.begin (), neighbors.end ());
   neighbors.erase (std::unique (neighbors.begin (), neighbors.end ()), neighbors.end ());
   std::vector<double> distances;

@@ -45,7 +45,7 @@ piercedNeighbors (const VoronoiCell& cell, const Eigen::Vector3d& u)
   std::array<std::int32_t, 2> pierced{-1, -1};
   std::array<double, 2> reach{std::numeric_limits<double>::infinity (),
                               std::numeric_limits<double>::infinity ()};
-  cell.forEachNeighbor ([&] (std::int32_t q) {
+  cell.visitNeighbors ([&] (std::int32_t q) {
     const Eigen::Vector3d to_neighbor = cell.relative (q);
     const double along = to_neighbor.dot (u);
     const int end = along > 0.0 ? 0 : 1;

@@ -76,7 +76,7 @@ withoutFalseSolids (const SampleDimensions& dimensions)
     if (labels[i] != 3)
       continue;
     inside[i] = 1;
-    VoronoiCell (complex, static_cast<std::int32_t> (i)).forEachNeighbor ([&] (std::int32_t q) {
+    VoronoiCell (complex, static_cast<std::int32_t> (i)).visitNeighbors ([&] (std::int32_t q) {
       if (labels[q] == 3)
         solids.join (i, static_cast<std::uint32_t> (q));
       else
@@ -125,7 +125,7 @@ completeSkins (SampleDimensions& dimensions)
     if (decided[sample] != 2)
       return;
     bool beside_solid = false;
-    VoronoiCell (complex, sample).forEachNeighbor ([&] (std::int32_t q) { beside_solid |= decided[q] == 3; });
+    VoronoiCell (complex, sample).visitNeighbors ([&] (std::int32_t q) { beside_solid |= decided[q] == 3; });
     if (!beside_solid)
       return;
     const std::vector<std::int32_t>& around = nearest.find (sample, NEIGHBORS);

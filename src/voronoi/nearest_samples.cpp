@@ -20,7 +20,7 @@ NearestSamples::find (std::int32_t sample, int k)
   found_.clear ();
   seen_in_[sample] = ++call_;
   const auto lookAround = [&] (const VoronoiCell& center) {
-    center.forEachNeighbor ([&] (std::int32_t q) {
+    center.visitNeighbors ([&] (std::int32_t q) {
       if (seen_in_[q] == call_)
         return;
       seen_in_[q] = call_;

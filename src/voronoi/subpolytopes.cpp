@@ -1,7 +1,5 @@
 #include "voronoi/subpolytopes.h"
 
-#include "delaunay/circumcenter.h"
-
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
@@ -73,14 +71,6 @@ computeNormal (const VoronoiCell& cell, Subpolytopes& result)
   result.heights[2] = unbounded.empty () ? farthest.norm () : INFINITE_HEIGHT;
 }
 
-// The circumcentre, relative to p, of the triangle of an infinite cell.
-Eigen::Vector3d
-triangleCenter (const DelaunayComplex& complex, const VoronoiCell& cell, std::int32_t infinite)
-{
-  const DelaunayComplex::Cell& vertices = complex.cells[infinite];
-  return circumcenter (cell.relative (vertices[0]), cell.relative (vertices[1]), cell.relative (vertices[2]));
-}
-
 // Where the Voronoi edge from the vertex a, which is on the positive side of the plane through p orthogonal
 // to the normal, to the vertex b, which is not, crosses the plane; p if it does not in any finite place. The
 // height of both is given.
@@ -100,7 +90,7 @@ crossing (const DelaunayComplex& complex, const VoronoiCell& cell, const Eigen::
   if (complex.cells[a][facet] != DelaunayComplex::INFINITE_VERTEX)
     return Eigen::Vector3d::Zero (); // an edge at infinity
   // Samples in a plane: the edge is the line through the centre of their triangle.
-  const Eigen::Vector3d center = triangleCenter (complex, cell, a);
+  const Eigen::Vector3d center = cell.triangleCenter (a, facet);
   return center - center.dot (normal) / height_a * va;
 }
 
@@ -161,7 +151,7 @@ computeTangent (const VoronoiCell& cell, Subpolytopes& result)
   result.tangent = result.normal.cross (result.binormal).normalized ();
   double ahead = INFINITE_HEIGHT;
   double behind = INFINITE_HEIGHT;
-  cell.forEachNeighbor ([&] (std::int32_t q) {
+  cell.visitNeighbors ([&] (std::int32_t q) {
     const Eigen::Vector3d to_neighbor = cell.relative (q);
     const double along = to_neighbor.dot (result.tangent);
     // The bisector of p and q cuts the line at |q|^2 / (2 along): divided only where that is nearer.

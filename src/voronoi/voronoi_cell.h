@@ -46,11 +46,12 @@ public:
    * plane, the dual Voronoi edge is the line through it across the plane. */
   Eigen::Vector3d triangleCenter (std::int32_t a, int facet) const
   {
+    // Not from relative corners: rounding could make them collinear.
     std::array<Eigen::Vector3d, 3> corners;
     for (int k = 0, count = 0; k < 4; ++k)
       if (k != facet)
-        corners[count++] = relative (complex_.cells[a][k]);
-    return circumcenter (corners[0], corners[1], corners[2]);
+        corners[count++] = complex_.samples->points.col (complex_.cells[a][k]);
+    return circumcenter (corners[0], corners[1], corners[2]) - point_;
   }
 
   /** Another sample relative to p. */
@@ -86,7 +87,27 @@ public:
     });
   }
 
-  /** Calls visit (q) for every Delaunay neighbour q of p, more than once for each. */
+  /** Calls visit (q) for every Delaunay neighbour q of p, seldom more than twice: from those cells at the
+   * edge to q that have a smaller number than the two next to them around the edge. */
+  template <typename Visit>
+  void visitNeighbors (const Visit& visit) const
+  {
+    for (const std::int32_t cell : *this) {
+      const DelaunayComplex::Cell& vertices = complex_.cells[cell];
+      const DelaunayComplex::Cell& across = complex_.neighbors[cell];
+      for (int k = 0; k < 4; ++k) {
+        if (vertices[k] == sample_ || vertices[k] == DelaunayComplex::INFINITE_VERTEX)
+          continue;
+        bool first = true;
+        for (int other = 0; other < 4; ++other)
+          first = first && (other == k || vertices[other] == sample_ || cell <= across[other]);
+        if (first)
+          visit (vertices[k]);
+      }
+    }
+  }
+
+  /** Calls visit (q) for every Delaunay neighbour q of p, once for every cell at the edge to it. */
   template <typename Visit>
   void forEachNeighbor (const Visit& visit) const
   {
