@@ -77,6 +77,7 @@ if [ ${#real[@]} -gt 0 ]; then
   shape kitten.xyz
   shape bunny00.off -watertight
   shape knot1.off
+  shape b9_training.ply -k 4
 fi
 
 say "done. In $out:"
