@@ -14,8 +14,8 @@
 #include <vector>
 
 /** \file
- * What the headers promise of a DelaunayComplex, checked from the definitions. Every check gives a description
- * of the first place where the promise is broken, or an empty string. */
+ * What the headers promise of a DelaunayComplex, checked from the definitions. Every check gives a
+ * description of the first place where the promise is broken, or an empty string. */
 
 namespace oracle {
 
@@ -130,8 +130,8 @@ brokenOrientation (const DelaunayComplex& complex)
     if (std::abs (direction.norm () - 1.0) > 1e-12)
       return broken ("unit direction", i);
     const std::array<std::int32_t, 3> f = sortedFacet (cell, infinitePosition (cell));
-    const Vector<Number> n = cross (fromTo<Number> (p.col (f[0]), p.col (f[1])),
-                                    fromTo<Number> (p.col (f[0]), p.col (f[2])));
+    const Vector<Number> n =
+      cross (fromTo<Number> (p.col (f[0]), p.col (f[1])), fromTo<Number> (p.col (f[0]), p.col (f[2])));
     if (isZero (n))
       return broken ("hull facet of three points in general position", i);
     // The exact normal, rounded, along the direction.
@@ -204,9 +204,13 @@ brokenCounts (const DelaunayComplex& complex)
         }
       }
     }
-    const auto relative = [&] (int k) { return fromTo<Number> (base, p.col (cell[static_cast<std::size_t> (k)])); };
+    const auto relative = [&] (int k) {
+      return fromTo<Number> (base, p.col (cell[static_cast<std::size_t> (k)]));
+    };
     if (finite) {
-      const auto from0 = [&] (int k) { return fromTo<Number> (p.col (cell[0]), p.col (cell[static_cast<std::size_t> (k)])); };
+      const auto from0 = [&] (int k) {
+        return fromTo<Number> (p.col (cell[0]), p.col (cell[static_cast<std::size_t> (k)]));
+      };
       volume += dot (from0 (1), cross (from0 (2), from0 (3)));
     } else {
       const int infinite = infinitePosition (cell);

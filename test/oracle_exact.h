@@ -89,8 +89,7 @@ int
 orientation (const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
              const Eigen::Vector3d& d)
 {
-  return sign<Number> (
-    dot (fromTo<Number> (a, b), cross (fromTo<Number> (a, c), fromTo<Number> (a, d))));
+  return sign<Number> (dot (fromTo<Number> (a, b), cross (fromTo<Number> (a, c), fromTo<Number> (a, d))));
 }
 
 /** \brief The point at the same distance from the origin and from u, v and w: numerator / (2 denominator).

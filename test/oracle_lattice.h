@@ -21,21 +21,21 @@ namespace oracle {
  * Voronoi vertices can be computed exactly, and on which every kind of degeneracy is easy to make. */
 enum class Lattice
 {
-  GENERIC,       ///< anywhere: no degeneracy to be expected
-  FEW,           ///< 1 to 5 points of a small cube
-  CROWDED,       ///< of a small cube: many coplanar and cospherical ones
-  GRID,          ///< a full regular grid
-  FLAT_GRID,     ///< a full regular grid in a plane
-  PLANE,         ///< anywhere in a plane, which is not one of the axes'
-  SHEET,         ///< nearly in a plane: heights of a few units on a wide base
-  COSPHERICAL,   ///< on a sphere, some with its centre
-  LINE,          ///< collinear
-  LINE_AND_ONE,  ///< collinear but for one point
-  STRETCHED,     ///< extents of very different size
-  CLUSTERS,      ///< two far from each other
-  CURVE,         ///< along a helix
-  SPHERE,        ///< rounded from a sphere
-  BALL,          ///< in a ball
+  GENERIC,      ///< anywhere: no degeneracy to be expected
+  FEW,          ///< 1 to 5 points of a small cube
+  CROWDED,      ///< of a small cube: many coplanar and cospherical ones
+  GRID,         ///< a full regular grid
+  FLAT_GRID,    ///< a full regular grid in a plane
+  PLANE,        ///< anywhere in a plane, which is not one of the axes'
+  SHEET,        ///< nearly in a plane: heights of a few units on a wide base
+  COSPHERICAL,  ///< on a sphere, some with its centre
+  LINE,         ///< collinear
+  LINE_AND_ONE, ///< collinear but for one point
+  STRETCHED,    ///< extents of very different size
+  CLUSTERS,     ///< two far from each other
+  CURVE,        ///< along a helix
+  SPHERE,       ///< rounded from a sphere
+  BALL,         ///< in a ball
   COUNT
 };
 
@@ -80,40 +80,40 @@ latticePoint (Lattice kind, Random& random)
     return {random.integer (-x, x), random.integer (-y, y), random.integer (-z, z)};
   };
   switch (kind) {
-  case Lattice::FEW:
-    return cube (2, 2, 2);
-  case Lattice::CROWDED:
-    return cube (3, 3, 3);
-  case Lattice::PLANE: {
-    const int i = random.integer (-9, 9);
-    const int j = random.integer (-9, 9);
-    return {2 * i + j, i - 3 * j, 5 * j - i};
-  }
-  case Lattice::SHEET:
-    return cube (2000, 2000, 2);
-  case Lattice::COSPHERICAL: {
-    static const std::vector<Point> points = cosphericalPoints ();
-    const int i = random.index (static_cast<int> (points.size ()) + 3);
-    return i < static_cast<int> (points.size ()) ? points[i] : Point{0, 0, 0};
-  }
-  case Lattice::LINE: {
-    const int i = random.integer (-40, 40);
-    return {3 * i, -2 * i, 7 * i};
-  }
-  case Lattice::STRETCHED:
-    return cube (100000, 300, 1);
-  case Lattice::CLUSTERS: {
-    const Point p = cube (50, 50, 50);
-    return random.coin () ? p : Point{p[0] + 100000, p[1] + 70000, p[2]};
-  }
-  case Lattice::CURVE:
-    return onHelix (random);
-  case Lattice::SPHERE:
-    return roundedDirection (random, 100000);
-  case Lattice::BALL:
-    return roundedDirection (random, 100000 * std::cbrt (random.uniform ()));
-  default:
-    return cube (100000, 100000, 100000);
+    case Lattice::FEW:
+      return cube (2, 2, 2);
+    case Lattice::CROWDED:
+      return cube (3, 3, 3);
+    case Lattice::PLANE: {
+      const int i = random.integer (-9, 9);
+      const int j = random.integer (-9, 9);
+      return {2 * i + j, i - 3 * j, 5 * j - i};
+    }
+    case Lattice::SHEET:
+      return cube (2000, 2000, 2);
+    case Lattice::COSPHERICAL: {
+      static const std::vector<Point> points = cosphericalPoints ();
+      const int i = random.index (static_cast<int> (points.size ()) + 3);
+      return i < static_cast<int> (points.size ()) ? points[i] : Point{0, 0, 0};
+    }
+    case Lattice::LINE: {
+      const int i = random.integer (-40, 40);
+      return {3 * i, -2 * i, 7 * i};
+    }
+    case Lattice::STRETCHED:
+      return cube (100000, 300, 1);
+    case Lattice::CLUSTERS: {
+      const Point p = cube (50, 50, 50);
+      return random.coin () ? p : Point{p[0] + 100000, p[1] + 70000, p[2]};
+    }
+    case Lattice::CURVE:
+      return onHelix (random);
+    case Lattice::SPHERE:
+      return roundedDirection (random, 100000);
+    case Lattice::BALL:
+      return roundedDirection (random, 100000 * std::cbrt (random.uniform ()));
+    default:
+      return cube (100000, 100000, 100000);
   }
 }
 
@@ -125,7 +125,8 @@ latticeCloud (Lattice kind, int size, std::uint64_t seed)
   Random random (seed * 64 + static_cast<std::uint64_t> (kind));
   std::vector<Point> points;
   if (kind == Lattice::GRID || kind == Lattice::FLAT_GRID) {
-    const int side = kind == Lattice::GRID ? static_cast<int> (std::cbrt (size)) : static_cast<int> (std::sqrt (size));
+    const int side =
+      kind == Lattice::GRID ? static_cast<int> (std::cbrt (size)) : static_cast<int> (std::sqrt (size));
     const int nx = std::max (1, side + random.index (2));
     const int ny = std::max (1, side + random.index (2));
     const int nz = kind == Lattice::GRID ? std::max (1, side + random.index (2)) : 1;
@@ -152,8 +153,7 @@ latticeCloud (Lattice kind, int size, std::uint64_t seed)
     std::swap (points[i - 1], points[static_cast<std::size_t> (random.index (static_cast<int> (i)))]);
   Eigen::Matrix3Xd cloud (3, static_cast<Eigen::Index> (points.size ()));
   for (std::size_t i = 0; i < points.size (); ++i)
-    cloud.col (static_cast<Eigen::Index> (i)) =
-      Eigen::Vector3i (points[i].data ()).cast<double> ();
+    cloud.col (static_cast<Eigen::Index> (i)) = Eigen::Vector3i (points[i].data ()).cast<double> ();
   return cloud;
 }
 

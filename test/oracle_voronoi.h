@@ -35,7 +35,7 @@ struct VoronoiOracle
     std::vector<int> faces;
   };
 
-  std::vector<int> samples; ///< half-space i is that of the bisector with this sample
+  std::vector<int> samples;      ///< half-space i is that of the bisector with this sample
   std::vector<Vector3l> normals; ///< and this is the vector to it
   std::vector<Vertex> vertices;
   std::vector<Ray> rays; ///< unbounded edges
@@ -69,8 +69,7 @@ voronoiCell (const Eigen::Matrix3Xd& points, int sample)
             touching.push_back (l);
         }
         if (inside && seen.insert (touching).second)
-          cell.vertices.push_back (
-            {rounded (center.numerator, Integer (2 * center.denominator)), touching});
+          cell.vertices.push_back ({rounded (center.numerator, Integer (2 * center.denominator)), touching});
       }
 
   seen.clear ();
@@ -106,7 +105,7 @@ voronoiCell (const Eigen::Matrix3Xd& points, int sample)
 /** \brief A pole, or that there is none that everyone would agree on. */
 struct Pole
 {
-  long double height = 0; ///< infinite where the subpolytope is unbounded
+  long double height = 0;                 ///< infinite where the subpolytope is unbounded
   Vector3l direction = Vector3l::Zero (); ///< unit
   bool height_is_sure = true;
   bool direction_is_sure = false; ///< by a margin, up to the sign for V1
@@ -126,7 +125,8 @@ longest (const std::vector<Vector3l>& vectors)
     }
   pole.direction_is_sure = pole.height > 0;
   for (const Vector3l& v : vectors)
-    if (v.norm () > pole.height * (1 - POLE_MARGIN) && (v.normalized () - pole.direction).norm () > POLE_MARGIN)
+    if (v.norm () > pole.height * (1 - POLE_MARGIN) &&
+        (v.normalized () - pole.direction).norm () > POLE_MARGIN)
       pole.direction_is_sure = false;
   return pole;
 }
@@ -185,7 +185,8 @@ cut (const std::vector<Vector2l>& polygon, const Vector2l& n, long double c)
   return result;
 }
 
-/** \brief The pole of V2, the section of the cell by the plane through the sample orthogonal to a unit normal. */
+/** \brief The pole of V2, the section of the cell by the plane through the sample orthogonal to a unit
+ * normal. */
 inline Pole
 poleOfV2 (const VoronoiOracle& cell, const Vector3l& normal)
 {

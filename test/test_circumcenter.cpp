@@ -53,13 +53,15 @@ expectCenter (const Eigen::Vector3d& result, const Eigen::Vector3d& a, const Cen
   }
   const Rational rounding = Rational (0x1p-50) * Rational (result.cwiseAbs ().maxCoeff ());
   EXPECT_TRUE (squared_error <= Rational (1e-14) * squared_distance + rounding * rounding)
-    << "relative error " << std::sqrt (static_cast<Rational> (squared_error / squared_distance).convert_to<double> ());
+    << "relative error "
+    << std::sqrt (static_cast<Rational> (squared_error / squared_distance).convert_to<double> ());
 }
 
 Center<Rational>
 exactCenter (const Corners& p)
 {
-  return centerOf (fromTo<Rational> (p[0], p[1]), fromTo<Rational> (p[0], p[2]), fromTo<Rational> (p[0], p[3]));
+  return centerOf (fromTo<Rational> (p[0], p[1]), fromTo<Rational> (p[0], p[2]),
+                   fromTo<Rational> (p[0], p[3]));
 }
 
 void

@@ -105,8 +105,8 @@ TEST (Cocone, MeetsTheEdgesThatHaveAPointInIt)
       const Eigen::Vector3d normal =
         random.coin () ? randomDirection (random) : computeSubpolytopes (*complex, cell).normal;
       cell.forEachEdge ([&] (std::int32_t a, std::int32_t b, int facet) {
-        const double sine =
-          smallestSine (dualLine (*complex, p, a, facet), exactVertex (*complex, p, a), exactVertex (*complex, p, b), cell.isInfinite (b), normal);
+        const double sine = smallestSine (dualLine (*complex, p, a, facet), exactVertex (*complex, p, a),
+                                          exactVertex (*complex, p, b), cell.isInfinite (b), normal);
         if (std::abs (sine - SINE) < MARGIN)
           return;
         ++(sine < SINE ? met : missed);
@@ -177,7 +177,8 @@ largestCosine (const VoronoiOracle& cell, int face, const Eigen::Vector3d& axis)
   };
   double largest = 0.0;
   const auto look = [&] (const Vector3l& x) {
-    largest = std::max (largest, static_cast<double> (std::abs (x.dot (axis.cast<long double> ()) / x.norm ())));
+    largest =
+      std::max (largest, static_cast<double> (std::abs (x.dot (axis.cast<long double> ()) / x.norm ())));
   };
   for (int other = 0; other < static_cast<int> (cell.samples.size ()); ++other) {
     std::vector<Vector3l> ends;
@@ -258,7 +259,8 @@ TEST (Cocone, MeetsTheFacesOfAPlane)
         if (random.coin ())
           axis = computeSubpolytopes (*complex, cell).tangent;
         const Eigen::Vector3d side = normal.cross (axis);
-        // Steps of a third of a degree; a face within two of them of the border of the cone may go either way.
+        // Steps of a third of a degree; a face within two of them of the border of the cone may go either
+        // way.
         const double step = M_PI / 8.0 / 64.0;
         std::set<std::int32_t> certain;
         std::set<std::int32_t> possible;
@@ -266,7 +268,8 @@ TEST (Cocone, MeetsTheFacesOfAPlane)
         for (const double sign : {-1.0, 1.0})
           for (int i = -66; i <= 66; ++i) {
             const double angle = (i + 0.123456) * step;
-            const std::int32_t q = faceHit (expected, sign * std::cos (angle) * axis + std::sin (angle) * side);
+            const std::int32_t q =
+              faceHit (expected, sign * std::cos (angle) * axis + std::sin (angle) * side);
             possible.insert (q);
             if (std::abs (i) < 63)
               certain.insert (q);
@@ -275,7 +278,8 @@ TEST (Cocone, MeetsTheFacesOfAPlane)
         const std::vector<std::int32_t> result = coconeNeighbors (*complex, cell, axis);
         met += static_cast<int> (certain.size ());
         ASSERT_TRUE (std::includes (result.begin (), result.end (), certain.begin (), certain.end ()))
-          << "seed " << seed << ", sample " << p << ", axis " << axis.transpose () << "\n" << cloud;
+          << "seed " << seed << ", sample " << p << ", axis " << axis.transpose () << "\n"
+          << cloud;
         // Where samples are cocircular, there are edges dual to a mere line across the plane.
         if (kind == Lattice::PLANE)
           for (const std::int32_t q : result)

@@ -36,7 +36,7 @@ TEST (ColorRepair, MakesAManifoldOfRandomColors)
 {
   int before = 0;
   std::size_t triangles = 0;
-  forEachLattice (60, 4, 40, [&] (const Eigen::Matrix3Xd& cloud, int kind) {
+  forEachLattice (120, 4, 60, [&] (const Eigen::Matrix3Xd& cloud, int kind) {
     const Prepared prepared = prepare (cloud);
     if (prepared.complex->affine_dimension != 3 || testing::Test::HasFatalFailure ())
       return;
@@ -104,13 +104,16 @@ TEST (CellStar, SplitsIntoComponentsOfOneColor)
     for (std::int32_t sample = 0; sample < cloud.cols (); ++sample) {
       star.split (sample, colors);
       std::multiset<std::set<std::int32_t>> result;
-      std::size_t fewest = complex->cells.size ();
+      std::array<std::size_t, 2> fewest{SIZE_MAX, SIZE_MAX}; // of all, and of the finite ones
       for (int component = 0; component < star.components (); ++component) {
         const std::vector<std::int32_t> cells = star.cellsOf (component);
         result.insert (std::set<std::int32_t> (cells.begin (), cells.end ()));
-        fewest = std::min (fewest, cells.size ());
+        fewest[0] = std::min (fewest[0], cells.size ());
+        if (!complex->isInfinite (cells.back ()))
+          fewest[1] = std::min (fewest[1], cells.size ());
       }
-      ASSERT_EQ (star.cellsOf (star.smallest (false)).size (), fewest);
+      ASSERT_EQ (star.cellsOf (star.smallest (false)).size (), fewest[0]);
+      ASSERT_EQ (star.cellsOf (star.smallest (true)).size (), fewest[1] == SIZE_MAX ? fewest[0] : fewest[1]);
       // By flooding over facets at the sample.
       std::multiset<std::set<std::int32_t>> expected;
       std::set<std::int32_t> left (complex->incident_cells.begin () + complex->incident_offsets[sample],
@@ -126,7 +129,8 @@ TEST (CellStar, SplitsIntoComponentsOfOneColor)
           component.insert (cell);
           for (int k = 0; k < 4; ++k) {
             const std::int32_t neighbor = complex->neighbors[static_cast<std::size_t> (cell)][k];
-            if (complex->cells[static_cast<std::size_t> (cell)][k] != sample && colors[neighbor] == colors[cell])
+            if (complex->cells[static_cast<std::size_t> (cell)][k] != sample &&
+                colors[neighbor] == colors[cell])
               front.push_back (neighbor);
           }
         }

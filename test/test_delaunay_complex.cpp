@@ -3,10 +3,12 @@
 #include "oracle_lattice.h"
 
 #include "common/parallel.h"
+#include "delaunay/flat_complex.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 namespace {
 
@@ -73,6 +75,35 @@ TEST (DelaunayComplex, KeepsItsPromisesOnEveryKindOfCloud)
   });
 }
 
+// The oracle itself: it sees what is not a Delaunay complex.
+TEST (DelaunayComplex, OracleSeesWhatIsBroken)
+{
+  const auto complex = complexOf (latticeCloud (Lattice::GENERIC, 20, 1));
+  ASSERT_EQ (brokenPromise<Integer> (*complex), "");
+  const auto isBroken = [&complex] (const auto& breakIt) {
+    DelaunayComplex other = *complex;
+    breakIt (other);
+    return !brokenPromise<Integer> (other).empty ();
+  };
+  EXPECT_TRUE (isBroken ([] (DelaunayComplex& c) { c.affine_dimension = 2; }));
+  EXPECT_TRUE (isBroken ([] (DelaunayComplex& c) { ++c.finite_cells; }));
+  EXPECT_TRUE (isBroken ([] (DelaunayComplex& c) { c.incident_cells.pop_back (); }));
+  EXPECT_TRUE (isBroken ([] (DelaunayComplex& c) { std::swap (c.cells[3][0], c.cells[3][1]); }));
+  EXPECT_TRUE (isBroken ([] (DelaunayComplex& c) {
+    std::swap (c.cells[3][0], c.cells[3][1]);
+    std::swap (c.neighbors[3][0], c.neighbors[3][1]);
+  }));
+  EXPECT_TRUE (isBroken ([] (DelaunayComplex& c) { std::swap (c.neighbors[3][0], c.neighbors[3][1]); }));
+  EXPECT_TRUE (isBroken ([] (DelaunayComplex& c) { c.centers.col (3) *= 1.001; }));
+  EXPECT_TRUE (isBroken ([] (DelaunayComplex& c) { c.centers.col (c.finite_cells) *= -1.0; }));
+  EXPECT_TRUE (isBroken ([] (DelaunayComplex& c) {
+    // A sample moved into the middle of the others.
+    auto samples = std::make_shared<SampleSet> (*c.samples);
+    samples->points.col (0) = (c.samples->points.rowwise ().mean ()).array ().round ();
+    c.samples = samples;
+  }));
+}
+
 // Coordinates of any size: the sample set scales, the predicates are exact.
 TEST (DelaunayComplex, KeepsItsPromisesOnExtremeCoordinates)
 {
@@ -105,40 +136,53 @@ TEST (DelaunayComplex, DoesNotDependOnTheOrderOfTheInput)
   });
 }
 
-// Enough samples for the insertion in parallel. The grid is as degenerate as can be.
-class LargeCloud : public testing::TestWithParam<int>
-{};
-
+// Samples for an insertion in parallel, of several kinds: threads wait for each other, and fall back to one
+// where the samples are still of a lower dimension.
 Eigen::Matrix3Xd
-largeCloud (int kind)
+largeCloud (const std::string& kind)
 {
-  constexpr int N = 52000;
   Random random (11);
-  Eigen::Matrix3Xd cloud (3, kind == 1 ? 40 * 40 * 33 : N);
+  Eigen::Matrix3Xd cloud (3, 30000);
   for (Eigen::Index i = 0; i < cloud.cols (); ++i) {
     Eigen::Vector3d p (random.uniform (-1, 1), random.uniform (-1, 1), random.uniform (-1, 1));
-    if (kind == 1) // a grid
-      p = Eigen::Vector3d (static_cast<double> (i % 40), static_cast<double> (i / 40 % 40),
-                           static_cast<double> (i / 1600));
-    else if (kind == 2) // a sphere
+    if (kind == "grid")
+      p = Eigen::Vector3d (static_cast<double> (i % 30), static_cast<double> (i / 30 % 40),
+                           static_cast<double> (i / 1200));
+    else if (kind == "sphere")
       p.normalize ();
+    else if (kind == "plane")
+      p.z () = 0;
+    else if (kind == "plane_grid")
+      p = Eigen::Vector3d (static_cast<double> (i % 100), 0, static_cast<double> (i / 100));
+    else if (kind == "line")
+      p = Eigen::Vector3d (0, 2 * p.x (), p.x ());
+    else if (kind == "plane_and_one")
+      p.z () = i == 5000 ? 0.5 : 0.0;
     cloud.col (i) = p;
   }
   return cloud;
 }
 
-TEST_P (LargeCloud, IsTheSameForOneAndTwoThreads)
+class LargeCloud : public testing::TestWithParam<const char*>
+{};
+
+TEST_P (LargeCloud, IsTheSameInsertedInParallel)
 {
   const auto samples = samplesOf (largeCloud (GetParam ()));
   std::shared_ptr<const DelaunayComplex> complexes[2];
-  for (unsigned int threads = 1; threads <= 2; ++threads)
-    pcl::manifold::withThreads (
-      threads, [&] { complexes[threads - 1] = computeDelaunayComplex (samples, threads); });
+  for (const bool parallel : {false, true})
+    pcl::manifold::withThreads (parallel ? 2 : 1, [&] {
+      complexes[parallel ? 1 : 0] =
+        pcl::manifold::makeDelaunayComplex (samples, pcl::manifold::triangulate (*samples, parallel));
+    });
   expectSame (*complexes[0], *complexes[1]);
   EXPECT_EQ (brokenArrays (*complexes[0]), "");
   EXPECT_EQ (brokenNeighbors (*complexes[0]), "");
 }
 
-INSTANTIATE_TEST_SUITE_P (DelaunayComplex, LargeCloud, testing::Range (0, 3));
+INSTANTIATE_TEST_SUITE_P (DelaunayComplex, LargeCloud,
+                          testing::Values ("cube", "grid", "sphere", "plane", "plane_grid", "line",
+                                           "plane_and_one"),
+                          [] (const auto& instance) { return instance.param; });
 
 } // namespace

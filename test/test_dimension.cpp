@@ -35,8 +35,9 @@ expectedHeights (const Eigen::Matrix3Xd& cloud, int sample)
   const Pole v1 = poleOfV1 (cell, v3.direction.cross (v2.direction).normalized ());
   if (!v1.height_is_sure)
     return {};
-  return Expected{{static_cast<double> (v1.height), static_cast<double> (v2.height), static_cast<double> (v3.height)},
-                  v3.direction.cast<double> ()};
+  return Expected{
+    {static_cast<double> (v1.height), static_cast<double> (v2.height), static_cast<double> (v3.height)},
+    v3.direction.cast<double> ()};
 }
 
 struct Answer
@@ -79,7 +80,8 @@ expectHeight (double result, double expected)
 using Labels = std::array<int, 4>;
 
 void
-compareSample (const SampleDimensions& result, int sample, const Expected& expected, double rho, Labels& labels)
+compareSample (const SampleDimensions& result, int sample, const Expected& expected, double rho,
+               Labels& labels)
 {
   const auto i = static_cast<std::size_t> (sample);
   for (int h = 0; h < 3; ++h)
@@ -109,9 +111,8 @@ TEST (Dimension, IsThatOfTheLoop)
         // Where V1 is unbounded nothing can be told from the ratios.
         if (!expected[i] || std::isinf (expected[i]->heights[0]) || testing::Test::HasFatalFailure ())
           continue;
-        SCOPED_TRACE (testing::Message ()
-                      << "kind " << kind << ", rho " << rho << ", sample " << i << " of\n"
-                      << cloud);
+        SCOPED_TRACE (testing::Message () << "kind " << kind << ", rho " << rho << ", sample " << i << " of\n"
+                                          << cloud);
         compareSample (result, static_cast<int> (i), *expected[i], rho, labels);
       }
     }

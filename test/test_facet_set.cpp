@@ -11,8 +11,8 @@ namespace {
 using namespace oracle;
 using pcl::manifold::DelaunayComplex;
 using pcl::manifold::Facet;
-using pcl::manifold::FacetSet;
 using pcl::manifold::facetOf;
+using pcl::manifold::FacetSet;
 using pcl::manifold::Fan;
 using pcl::manifold::mirrorFacet;
 using pcl::manifold::oppositeSide;
@@ -57,7 +57,8 @@ TEST (FacetSet, FacetsLieOppositeOfTheirVertices)
 
 // What the set has at a sample, against all triples of the list.
 void
-compareAt (const FacetSet& surface, const std::set<Triple>& listed, std::int32_t sample, std::uint8_t coverage)
+compareAt (const FacetSet& surface, const std::set<Triple>& listed, std::int32_t sample,
+           std::uint8_t coverage)
 {
   std::multiset<Triple> at;
   surface.forEachAt (sample, [&] (std::int32_t cell, int facet) {
@@ -97,8 +98,9 @@ TEST (FacetSet, KeepsWhatIsInserted)
       Facet facet = facets[static_cast<std::size_t> (random.index (static_cast<int> (facets.size ())))];
       const Triple triangle = sorted (facetOf (*complex, facet.cell, facet.facet));
       if (random.coin ()) // from the other side
-        facet = {complex->neighbors[static_cast<std::size_t> (facet.cell)][static_cast<std::size_t> (facet.facet)],
-                 mirrorFacet (*complex, facet.cell, facet.facet)};
+        facet = {
+          complex->neighbors[static_cast<std::size_t> (facet.cell)][static_cast<std::size_t> (facet.facet)],
+          mirrorFacet (*complex, facet.cell, facet.facet)};
       ASSERT_EQ (surface.contains (facet.cell, facet.facet), listed.count (triangle) != 0);
       if (random.index (3) != 0) {
         surface.insert (facet.cell, facet.facet);
@@ -140,8 +142,8 @@ TEST (FacetSet, TurnsTrianglesAwayFromTheFirstCell)
                          ? facetOf (*complex, neighbor, mirrorFacet (*complex, facet.cell, facet.facet))
                          : facetOf (*complex, facet.cell, facet.facet));
     }
-    const std::vector<Triple> triangles =
-      surface.triangles ([&first] (std::int32_t cell) { return first[static_cast<std::size_t> (cell)] != 0; });
+    const std::vector<Triple> triangles = surface.triangles (
+      [&first] (std::int32_t cell) { return first[static_cast<std::size_t> (cell)] != 0; });
     ASSERT_EQ (std::set<Triple> (triangles.begin (), triangles.end ()), expected);
   });
 }

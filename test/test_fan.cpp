@@ -53,12 +53,14 @@ struct Graph
 private:
   bool isLine (std::size_t c) const
   {
-    return std::all_of (vertices[c].begin (), vertices[c].end (), [this] (int v) { return degree.at (v) <= 2; });
+    return std::all_of (vertices[c].begin (), vertices[c].end (),
+                        [this] (int v) { return degree.at (v) <= 2; });
   }
 
   long countEnds (std::size_t c) const
   {
-    return std::count_if (vertices[c].begin (), vertices[c].end (), [this] (int v) { return degree.at (v) == 1; });
+    return std::count_if (vertices[c].begin (), vertices[c].end (),
+                          [this] (int v) { return degree.at (v) == 1; });
   }
 };
 

@@ -28,7 +28,8 @@ detect (const std::string& shape, std::size_t count, std::uint64_t seed)
     cloud.col (static_cast<Eigen::Index> (i)) = result.truth.points[i];
   auto samples = std::make_shared<pcl::manifold::SampleSet> ();
   EXPECT_EQ (pcl::manifold::makeSampleSet (cloud, {}, {}, 0x1p-53, *samples), pcl::manifold::Status::OK);
-  result.dimensions = pcl::manifold::computeDimensions (pcl::manifold::computeDelaunayComplex (samples, 1), 0.3);
+  result.dimensions =
+    pcl::manifold::computeDimensions (pcl::manifold::computeDelaunayComplex (samples, 1), 0.3);
   pcl::manifold::decideManifoldDimensions (result.dimensions);
   return result;
 }
@@ -47,11 +48,11 @@ sharesOf (const Detected& detected)
   std::array<double, 2> count{};
   Shares shares{{0, 0}, {0, 0}};
   for (std::size_t i = 0; i < detected.truth.size (); ++i) {
-    const auto sample =
-      static_cast<std::size_t> (detected.dimensions.complex->samples->sample_of[i]);
+    const auto sample = static_cast<std::size_t> (detected.dimensions.complex->samples->sample_of[i]);
     const std::size_t on_boundary = detected.truth.boundary[i];
     ++count[on_boundary];
-    shares.dimension[on_boundary] += detected.dimensions.manifold_dimension[sample] == detected.truth.labels[i];
+    shares.dimension[on_boundary] +=
+      detected.dimensions.manifold_dimension[sample] == detected.truth.labels[i];
     shares.boundary[on_boundary] += detected.dimensions.boundary[sample] == on_boundary;
   }
   for (std::size_t b = 0; b < 2; ++b) {
@@ -67,7 +68,8 @@ expectShares (const std::string& shape, std::size_t count, double dimension, dou
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const Shares shares = sharesOf (detect (shape, count, seed));
     for (const std::size_t on_boundary : {0, 1}) {
-      EXPECT_GE (shares.dimension[on_boundary], dimension) << shape << ", seed " << seed << ", " << on_boundary;
+      EXPECT_GE (shares.dimension[on_boundary], dimension)
+        << shape << ", seed " << seed << ", " << on_boundary;
       EXPECT_GE (shares.boundary[on_boundary], boundary) << shape << ", seed " << seed << ", " << on_boundary;
     }
   }
@@ -75,7 +77,7 @@ expectShares (const std::string& shape, std::size_t count, double dimension, dou
 
 TEST (ManifoldDimension, OfCurves)
 {
-  for (const char* shape : {"circle", "trefoil", "segment"})
+  for (const char* shape : {"circle", "trefoil", "segment", "helix"})
     expectShares (shape, 200, 1.0, 1.0);
 }
 

@@ -159,8 +159,8 @@ TEST (SampleSet, TakesCoordinatesOfAnySize)
   for (const double size : {1e-320, 1e-300, 1e-200, 1e-45, 1e-38, 1e-30, 1.0, 1e30, 1e38, 1e39, 1e200, 1e300})
     for (const double offset : {0.0, 1.0, 40.0, 1e5}) {
       Random random (3);
-      const Eigen::Matrix3Xd cloud =
-        randomCloud (random, 50, Eigen::Vector3d::Constant (size), Eigen::Vector3d (1, -1, 1) * (offset * size));
+      const Eigen::Matrix3Xd cloud = randomCloud (random, 50, Eigen::Vector3d::Constant (size),
+                                                  Eigen::Vector3d (1, -1, 1) * (offset * size));
       const SampleSet samples = samplesOf (cloud);
       ASSERT_TRUE (samples.points.allFinite ()) << size << " " << offset;
       ASSERT_TRUE (samples.origin.allFinite ()) << size << " " << offset;
@@ -191,7 +191,8 @@ TEST (SampleSet, SaysWhyThereIsNone)
 {
   SampleSet samples;
   EXPECT_EQ (makeSampleSet (Eigen::Matrix3Xd (3, 0), {}, {}, DOUBLES, samples), Status::NO_INPUT);
-  EXPECT_EQ (makeSampleSet (Eigen::Vector3d (0, NOT_A_NUMBER, 0), {}, {}, DOUBLES, samples), Status::NO_INPUT);
+  EXPECT_EQ (makeSampleSet (Eigen::Vector3d (0, NOT_A_NUMBER, 0), {}, {}, DOUBLES, samples),
+             Status::NO_INPUT);
   Eigen::Matrix3Xd cloud = Eigen::Matrix3Xd::Identity (3, 3);
   for (const Thinning& thinning :
        {Thinning{-1, 0.0}, Thinning{0, -1.0}, Thinning{0, NOT_A_NUMBER}, Thinning{0, INFINITE_COORDINATE}})
@@ -359,7 +360,8 @@ TEST (SampleSet, IsTheSameForOneAndTwoThreads)
 {
   Random random (13);
   const Eigen::Matrix3Xd cloud = randomCloud (random, 20000, {1, 1, 0.01}, {0, 0, 0});
-  for (const Thinning& thinning : {Thinning{0, 0.0}, Thinning{8, 0.0}, Thinning{0, 0.02}, Thinning{4, 0.01}}) {
+  for (const Thinning& thinning :
+       {Thinning{0, 0.0}, Thinning{8, 0.0}, Thinning{0, 0.02}, Thinning{4, 0.01}}) {
     SampleSet samples[2];
     for (unsigned int threads = 1; threads <= 2; ++threads)
       pcl::manifold::withThreads (threads, [&] { samples[threads - 1] = samplesOf (cloud, thinning); });

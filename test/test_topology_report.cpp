@@ -1,4 +1,4 @@
-#include "oracle_surface.h"
+#include "oracle_topology.h"
 
 #include <pcl/manifold/topology_report.h>
 

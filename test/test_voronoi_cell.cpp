@@ -18,7 +18,7 @@ using Simplex = std::set<std::int32_t>;
 
 struct Visited
 {
-  std::multiset<Simplex> facets; ///< dual to edges
+  std::multiset<Simplex> facets;              ///< dual to edges
   std::multiset<std::int32_t> hull_neighbors; ///< dual to unbounded faces
   Simplex neighbors;
 };

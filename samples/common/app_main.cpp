@@ -68,6 +68,8 @@ runApp (int argc, const char* const* argv, CommandLine& command_line, const std:
     }
     body ();
     std::cout.flush ();
+    if (!std::cout)
+      throw AppError ("standard output", "cannot be written to");
     return 0;
   } catch (const UsageError& error) {
     return fail (2, error.what ());

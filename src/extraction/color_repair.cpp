@@ -95,7 +95,7 @@ private:
     if (changes_[sample] < MAX_CHANGES) {
       ++changes_[sample];
       change (star_.cellsOf (star_.smallest (closed_))); // the outside stays the outside
-    } else if (closed_) {
+    } else {
       ++given_up_;
       const VoronoiCell star (complex_, sample);
       std::vector<std::int32_t> inside;

@@ -13,9 +13,10 @@ namespace manifold {
  * the smallest one changes over; where that does not settle, all its cells get colour 0, so that the surface
  * leaves the sample.
  *
- * \param[in] closed if false, samples at which the candidate triangles among the surface's are a manifold
- * already are left alone, and no sample is given up: the surface in free space, which is not kept, may cross
- * itself \return the number of samples that the surface was taken from */
+ * \param[in] closed if false, samples of curves and inside of solids, and those at which the candidate
+ * triangles among the surface's are a manifold already, are left alone: the surface in free space, which is
+ * not kept, may cross itself. If true, the infinite cells must have colour 0 and keep it.
+ * \return the number of samples that the surface was taken from */
 std::size_t repairColors (const SampleDimensions& dimensions, const std::vector<Role>& roles, bool closed,
                           std::vector<std::uint8_t>& colors);
 

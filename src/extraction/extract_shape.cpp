@@ -95,7 +95,7 @@ extractShape (const SampleDimensions& dimensions, bool watertight, StageLog& log
   if (!watertight) {
     eraseOneSided (seams, surface);
     growSurface (dimensions, roles, surface);
-    fillSmallLoops (surface);
+    fillSmallLoops (roles, surface);
   }
 
   if (!log.begin ("solids and curves", 0.92f))

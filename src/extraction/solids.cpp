@@ -15,6 +15,7 @@ namespace {
 // A cell whose circumsphere is larger than this many times the distance to the fourth nearest sample spans a
 // gap: the largest gaps between random samples of a solid stay below.
 constexpr double MAX_RADIUS = 3.0;
+constexpr double MIN_SOLID_SHARE = 0.5;
 
 // The distance to the fourth nearest Delaunay neighbour.
 double
@@ -35,28 +36,35 @@ localSpacing (const DelaunayComplex& complex, std::int32_t sample)
   return distances[rank];
 }
 
-// Flags the cells of one colour around a seed that enter (cell) lets in, unless an infinite one is among
-// them.
+// The cells of one colour around a seed that enter (cell) lets in.
 template <typename Enter>
-void
+std::vector<std::int32_t>
 floodRegion (const DelaunayComplex& complex, const std::vector<std::uint8_t>& colors, std::int32_t seed,
-             const Enter& enter, std::vector<std::uint8_t>& seen, std::vector<std::uint8_t>& solid)
+             const Enter& enter, std::vector<std::uint8_t>& seen)
 {
   std::vector<std::int32_t> region (1, seed);
-  bool outside = false;
   seen[seed] = 1;
   for (std::size_t next = 0; next < region.size (); ++next) {
     const std::int32_t cell = region[next];
-    outside = outside || complex.isInfinite (cell);
     for (const std::int32_t neighbor : complex.neighbors[cell])
       if (!seen[neighbor] && colors[neighbor] == colors[cell] && enter (neighbor)) {
         seen[neighbor] = 1;
         region.push_back (neighbor);
       }
   }
-  if (!outside)
-    for (const std::int32_t cell : region)
-      solid[cell] = 1;
+  return region;
+}
+
+// Whether a region is a solid: it has no outside, and most of it is between samples of solids. What merely
+// encloses a few of them is not.
+bool
+isSolid (const DelaunayComplex& complex, const SolidCells& cells, const std::vector<std::int32_t>& region)
+{
+  const auto possible = std::count_if (region.begin (), region.end (),
+                                       [&] (std::int32_t cell) { return cells.possible[cell] != 0; });
+  return static_cast<double> (possible) >= MIN_SOLID_SHARE * static_cast<double> (region.size ()) &&
+         std::none_of (region.begin (), region.end (),
+                       [&] (std::int32_t cell) { return complex.isInfinite (cell); });
 }
 
 } // namespace
@@ -103,12 +111,14 @@ findSolids (const SampleDimensions& dimensions, const std::vector<Role>& roles, 
   if (std::find (cells.certain.begin (), cells.certain.end (), 1) == cells.certain.end ())
     return solid;
   std::vector<std::uint8_t> seen (complex.cells.size (), 0);
-  const auto enter = [&] (std::int32_t cell) {
-    return closed || cells.possible[cell] || cells.certain[cell];
-  };
+  const auto enter = [&] (std::int32_t cell) { return closed || cells.possible[cell]; };
   for (std::int32_t cell = 0; cell < complex.finite_cells; ++cell)
-    if (cells.certain[cell] && !seen[cell])
-      floodRegion (complex, colors, cell, enter, seen, solid);
+    if (cells.certain[cell] && !seen[cell]) {
+      const std::vector<std::int32_t> region = floodRegion (complex, colors, cell, enter, seen);
+      if (isSolid (complex, cells, region))
+        for (const std::int32_t inside : region)
+          solid[inside] = 1;
+    }
   repairColors (dimensions, roles, true, solid);
   return solid;
 }

@@ -14,42 +14,70 @@ namespace {
 // Fewer samples without a triangle than this, next to each other, are noise beside a surface; more of them
 // are a sheet that has no two sides.
 constexpr std::uint32_t MIN_CLUSTER = 100;
-// Longer loops than this are kept as the boundary of something.
+constexpr int MAX_ROUNDS = 6;
+// Loops are filled if they have no more edges than this ...
 constexpr std::size_t MAX_FILLED_LOOP = 6;
+// ... or than this, where most of their samples are not on a rim: those are cracks between parts that grew
+// together.
+constexpr std::size_t MAX_FILLED_CRACK = 60;
+
+// The surface samples without a triangle that are together with many others, ascending.
+std::vector<std::int32_t>
+uncoveredClusters (const SampleDimensions& dimensions, const std::vector<Role>& roles,
+                   const FacetSet& surface)
+{
+  const DelaunayComplex& complex = surface.complex ();
+  const std::vector<std::uint8_t> coverage = surface.coverage ();
+  std::vector<std::int32_t> uncovered;
+  for (std::size_t i = 0; i < roles.size (); ++i)
+    if (roles[i] == Role::SURFACE && (coverage[i] & FacetSet::COVERED) == 0)
+      uncovered.push_back (static_cast<std::int32_t> (i));
+  DisjointSets clusters (roles.size ());
+  for (const std::int32_t sample : uncovered)
+    VoronoiCell (complex, sample).forEachEdge ([&] (std::int32_t cell, std::int32_t, int facet) {
+      if (!isCandidate (dimensions, roles, cell, facet))
+        return;
+      for (const std::int32_t vertex : oppositeSide (complex, cell, facet, sample))
+        if (std::binary_search (uncovered.begin (), uncovered.end (), vertex))
+          clusters.join (static_cast<std::uint32_t> (sample), static_cast<std::uint32_t> (vertex));
+    });
+  std::vector<std::uint32_t> sizes (roles.size (), 0);
+  for (const std::int32_t sample : uncovered)
+    ++sizes[clusters.find (static_cast<std::uint32_t> (sample))];
+  uncovered.erase (std::remove_if (uncovered.begin (), uncovered.end (),
+                                   [&] (std::int32_t sample) {
+                                     return sizes[clusters.find (static_cast<std::uint32_t> (sample))] <
+                                            MIN_CLUSTER;
+                                   }),
+                   uncovered.end ());
+  return uncovered;
+}
 
 } // namespace
 
 void
 growSurface (const SampleDimensions& dimensions, const std::vector<Role>& roles, FacetSet& surface)
 {
-  const DelaunayComplex& complex = surface.complex ();
-  const std::vector<std::uint8_t> coverage = surface.coverage ();
-  const auto isUncovered = [&] (std::int32_t sample) {
-    return roles[sample] == Role::SURFACE && (coverage[sample] & FacetSet::COVERED) == 0;
-  };
-  std::vector<std::vector<Facet>> candidates_of (roles.size ());
-  DisjointSets clusters (roles.size ());
-  for (std::size_t i = 0; i < roles.size (); ++i) {
-    const auto sample = static_cast<std::int32_t> (i);
-    if (!isUncovered (sample))
-      continue;
-    VoronoiCell (complex, sample).forEachEdge ([&] (std::int32_t cell, std::int32_t, int facet) {
-      if (!isCandidate (dimensions, roles, cell, facet))
-        return;
-      candidates_of[i].push_back ({cell, facet});
-      for (const std::int32_t vertex : oppositeSide (complex, cell, facet, sample))
-        if (isUncovered (vertex))
-          clusters.join (static_cast<std::uint32_t> (sample), static_cast<std::uint32_t> (vertex));
-    });
+  const std::vector<std::int32_t> samples = uncoveredClusters (dimensions, roles, surface);
+  if (samples.empty ())
+    return;
+  // Where fans did not meet all but one were erased: there is room for others then.
+  std::vector<std::uint8_t> before;
+  for (int round = 0; round < MAX_ROUNDS; ++round) {
+    const std::vector<std::uint8_t> coverage = surface.coverage ();
+    if (coverage == before)
+      break;
+    std::vector<Facet> candidates;
+    for (const std::int32_t sample : samples)
+      if (coverage[sample] != FacetSet::COVERED)
+        VoronoiCell (surface.complex (), sample)
+          .forEachEdge ([&] (std::int32_t cell, std::int32_t, int facet) {
+            if (!surface.contains (cell, facet) && isCandidate (dimensions, roles, cell, facet))
+              candidates.push_back ({cell, facet});
+          });
+    insertFitting (std::move (candidates), surface);
+    before = coverage;
   }
-  std::vector<std::uint32_t> sizes (roles.size (), 0);
-  for (std::uint32_t i = 0; i < roles.size (); ++i)
-    ++sizes[clusters.find (i)];
-  std::vector<Facet> candidates;
-  for (std::uint32_t i = 0; i < roles.size (); ++i)
-    if (sizes[clusters.find (i)] >= MIN_CLUSTER)
-      candidates.insert (candidates.end (), candidates_of[i].begin (), candidates_of[i].end ());
-  insertFitting (std::move (candidates), surface);
 }
 
 std::vector<std::vector<std::int32_t>>
@@ -81,12 +109,15 @@ boundaryLoops (const FacetSet& surface)
 }
 
 void
-fillSmallLoops (FacetSet& surface)
+fillSmallLoops (const std::vector<Role>& roles, FacetSet& surface)
 {
   const DelaunayComplex& complex = surface.complex ();
   std::vector<Facet> candidates;
   for (std::vector<std::int32_t>& loop : boundaryLoops (surface)) {
-    if (loop.size () > MAX_FILLED_LOOP)
+    const auto inside = std::count_if (loop.begin (), loop.end (),
+                                       [&] (std::int32_t sample) { return roles[sample] == Role::SURFACE; });
+    const bool crack = 2 * static_cast<std::size_t> (inside) > loop.size ();
+    if (loop.size () > (crack ? MAX_FILLED_CRACK : MAX_FILLED_LOOP))
       continue;
     std::sort (loop.begin (), loop.end ());
     const auto onLoop = [&loop] (std::int32_t vertex) {

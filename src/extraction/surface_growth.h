@@ -16,7 +16,7 @@ void growSurface (const SampleDimensions& dimensions, const std::vector<Role>& r
 
 /** Fills the loops of a surface that have a few edges only with Delaunay triangles between their samples,
  * likewise. */
-void fillSmallLoops (FacetSet& surface);
+void fillSmallLoops (const std::vector<Role>& roles, FacetSet& surface);
 
 /** The loops of boundary edges of a surface that is manifold at every sample, each as its samples in order.
  */

@@ -38,6 +38,10 @@ public:
     for (std::size_t i = 0; i < changes.size (); ++i)
       if (candidate[i]) {
         surface_.insert (changes[i].cell, changes[i].facet);
+        // The repair of colours does not look at samples of curves or inside of solids.
+        for (const std::int32_t vertex : facetOf (complex_, changes[i].cell, changes[i].facet))
+          if (roles[vertex] == Role::CURVE || roles[vertex] == Role::SOLID)
+            touched_.push_back (vertex);
       } else {
         for (const std::int32_t vertex : facetOf (complex_, changes[i].cell, changes[i].facet))
           if (vertex != DelaunayComplex::INFINITE_VERTEX)

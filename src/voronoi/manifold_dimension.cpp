@@ -33,20 +33,30 @@ constexpr int SKIN_PASSES = 3;
 struct Decision
 {
   int dimension;
-  bool boundary;
+  bool boundary; ///< of a surface or a solid
 };
 
 Decision
 decide (int label, const std::array<int, 4>& count, int neighbors)
 {
-  if (count[1] >= CURVE_SHARE * neighbors)
-    return {1, label != 1}; // the cell of an end point is long in every direction
+  if (count[1] > CURVE_SHARE * neighbors)
+    return {1, false};
   const int solid = count[3] + (label == 3 ? 1 : 0);
   if (solid >= SOLID_SHARE * neighbors && solid > 1)
     return {3, label != 3};
   if (label == 3 && count[1] > count[2])
-    return {1, true};
+    return {1, false}; // the cell of an end point may be long in every direction
   return {2, label == 1};
+}
+
+// Whether a sample of a curve is an end of it: opposite of the nearest sample, within 60 degrees, there is
+// none.
+bool
+isEnd (const VoronoiCell& cell, const std::vector<std::int32_t>& nearest)
+{
+  const Eigen::Vector3d ahead = cell.relative (nearest.front ()).normalized ();
+  return std::none_of (nearest.begin (), nearest.end (),
+                       [&] (std::int32_t q) { return cell.relative (q).normalized ().dot (ahead) < -0.5; });
 }
 
 // Whether there is nothing to decide: every Delaunay neighbour has the label of the sample, or the sample is
@@ -154,7 +164,7 @@ decideManifoldDimensions (SampleDimensions& dimensions)
   const std::vector<std::uint8_t> labels = withoutFalseSolids (dimensions);
   forEachSample (complex, [&] (std::int32_t sample, NearestSamples& nearest) {
     dimensions.manifold_dimension[sample] = labels[sample];
-    if (isClear (complex, labels, sample))
+    if (labels[sample] != 1 && isClear (complex, labels, sample))
       return;
     std::array<int, 4> count{};
     const std::vector<std::int32_t>& around = nearest.find (sample, NEIGHBORS);
@@ -162,7 +172,8 @@ decideManifoldDimensions (SampleDimensions& dimensions)
       ++count[labels[q]];
     const Decision decision = decide (labels[sample], count, static_cast<int> (around.size ()));
     dimensions.manifold_dimension[sample] = static_cast<std::uint8_t> (decision.dimension);
-    dimensions.boundary[sample] = decision.boundary ? 1 : 0;
+    dimensions.boundary[sample] =
+      decision.boundary || (decision.dimension == 1 && isEnd (VoronoiCell (complex, sample), around)) ? 1 : 0;
   });
   if (std::find (labels.begin (), labels.end (), 3) != labels.end ())
     for (int pass = 0; pass < SKIN_PASSES; ++pass)

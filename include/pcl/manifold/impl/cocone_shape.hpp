@@ -5,7 +5,6 @@
 #include <pcl/manifold/cocone_shape.h>
 #include <pcl/manifold/impl/cloud_points.hpp>
 
-
 template <typename PointT>
 void
 pcl::CoconeShape<PointT>::reconstruct (pcl::SimplicialComplex& output)
