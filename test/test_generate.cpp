@@ -136,8 +136,8 @@ TEST_P (EveryShape, NearestPointOfAPlaceBesideIsTheFoot)
 }
 
 INSTANTIATE_TEST_SUITE_P (Generate, EveryShape, testing::ValuesIn (shapeNames ()),
-                          [] (const testing::TestParamInfo<std::string>& info) {
-                            std::string name = info.param;
+                          [] (const testing::TestParamInfo<std::string>& shape_info) {
+                            std::string name = shape_info.param;
                             name.erase (std::remove (name.begin (), name.end (), '-'), name.end ());
                             return name;
                           });

@@ -91,15 +91,20 @@ findPoles (const VoronoiCell& cell, const Eigen::Vector3d& normal)
 class Wishes
 {
 public:
-  Wishes (const SampleDimensions& dimensions, const std::vector<Role>& roles)
+  Wishes (const SampleDimensions& dimensions, const std::vector<Role>& roles,
+          const std::vector<std::uint8_t>& together)
     : complex_ (*dimensions.complex), cells_ (complex_.cells.size ()), poles_ (roles.size ())
   {
     std::vector<std::uint16_t> steps (4 * cells_ + roles.size (), NO_WISH);
     parallelFor (cells_, [&] (std::size_t i) {
       const auto cell = static_cast<std::int32_t> (i);
       for (int k = 0; k < 4; ++k)
-        if (cell < complex_.neighbors[i][k])
-          steps[4 * i + k] = stepOf (intersectionDepth (complex_, cell, k));
+        if (cell < complex_.neighbors[i][k]) {
+          const double depth = intersectionDepth (complex_, cell, k);
+          const bool first = depth > FREE_SPACE_DEPTH && !together.empty () && together[i] &&
+                             together[complex_.neighbors[i][k]];
+          steps[4 * i + k] = stepOf (first ? CERTAIN : depth);
+        }
     });
     parallelFor (roles.size (), [&] (std::size_t i) {
       if (roles[i] != Role::SURFACE)
@@ -215,7 +220,7 @@ private:
 
 CellColors
 colorCells (const SampleDimensions& dimensions, const std::vector<Role>& roles,
-            const std::vector<std::uint8_t>& solid, bool closed)
+            const std::vector<std::uint8_t>& solid, bool closed, const std::vector<std::uint8_t>& together)
 {
   const DelaunayComplex& complex = *dimensions.complex;
   const auto cells = static_cast<std::uint32_t> (complex.cells.size ());
@@ -229,7 +234,7 @@ colorCells (const SampleDimensions& dimensions, const std::vector<Role>& roles,
     for (int k = 0; solid[cell] && k < 4; ++k)
       if (solid[complex.neighbors[cell][k]])
         forest.unite (cell, static_cast<std::uint32_t> (complex.neighbors[cell][k]), false);
-  Wishes wishes (dimensions, roles);
+  Wishes wishes (dimensions, roles, together);
   wishes.grant (forest);
 
   CellColors result;

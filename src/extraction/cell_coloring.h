@@ -27,9 +27,13 @@ struct CellColors
  * \param[in] closed gives all infinite cells one colour, 0: then where the colour changes, surfaces are
  * closed
  *
+ * \param[in] together flags cells that keep the colour of those that they share nearly all of their
+ * circumspheres with, before anything less certain; may be empty
+ *
  * Equivalent to a maximum spanning forest over cells: O (m log m) for m cells. */
 CellColors colorCells (const SampleDimensions& dimensions, const std::vector<Role>& roles,
-                       const std::vector<std::uint8_t>& solid, bool closed);
+                       const std::vector<std::uint8_t>& solid, bool closed,
+                       const std::vector<std::uint8_t>& together = {});
 
 } // namespace manifold
 } // namespace pcl

@@ -48,24 +48,11 @@ public:
   }
 
 private:
-  // Whether the surface where the colour changes is something else than one disk at the sample.
-  bool crossesItself (std::int32_t sample) const
-  {
-    Fan fan;
-    VoronoiCell (complex_, sample).forEachFacet ([&] (std::int32_t a, std::int32_t b, int facet) {
-      if (colors_[a] == colors_[b])
-        return;
-      const std::array<std::int32_t, 2> side = oppositeSide (complex_, a, facet, sample);
-      fan.add (side[0], side[1]);
-    });
-    return fan.size () > 0 && !fan.isClosed ();
-  }
-
   bool isBad (std::int32_t sample) const
   {
     if (!closed_ && roles_[sample] != Role::SURFACE && roles_[sample] != Role::RIM)
       return false;
-    return crossesItself (sample) &&
+    return crossesItself (complex_, colors_, sample) &&
            (closed_ || !candidatesAreManifold (dimensions_, roles_, colors_, sample));
   }
 
@@ -128,6 +115,19 @@ private:
 };
 
 } // namespace
+
+bool
+crossesItself (const DelaunayComplex& complex, const std::vector<std::uint8_t>& colors, std::int32_t sample)
+{
+  Fan fan;
+  VoronoiCell (complex, sample).forEachFacet ([&] (std::int32_t a, std::int32_t b, int facet) {
+    if (colors[a] == colors[b])
+      return;
+    const std::array<std::int32_t, 2> side = oppositeSide (complex, a, facet, sample);
+    fan.add (side[0], side[1]);
+  });
+  return fan.size () > 0 && !fan.isClosed ();
+}
 
 std::size_t
 repairColors (const SampleDimensions& dimensions, const std::vector<Role>& roles, bool closed,

@@ -8,6 +8,11 @@
 namespace pcl {
 namespace manifold {
 
+/** Whether the surface where the colour changes, with its infinite triangles, passes through a sample
+ * otherwise than as one disk. */
+bool crossesItself (const DelaunayComplex& complex, const std::vector<std::uint8_t>& colors,
+                    std::int32_t sample);
+
 /** Changes the colours of a few cells until the surface where the colour changes is a manifold at every
  * sample: then it is edge- and vertex-manifold everywhere. At a sample with several components of a colour
  * the smallest one changes over; where that does not settle, all its cells get colour 0, so that the surface

@@ -79,10 +79,9 @@ extractShape (const SampleDimensions& dimensions, bool watertight, StageLog& log
     return {};
   const std::vector<Role> roles = sampleRoles (dimensions);
   const SolidCells solid_cells = findSolidCells (dimensions, roles);
-  CellColors coloring = colorCells (dimensions, roles, solid_cells.certain, watertight);
-  const std::vector<std::uint8_t> seams = findSeams (dimensions, roles, coloring.torn);
+  const CellColors coloring = colorCells (dimensions, roles, solid_cells.certain, watertight);
 
-  std::vector<std::uint8_t> colors = std::move (coloring.colors);
+  std::vector<std::uint8_t> colors = coloring.colors;
 
   if (!log.begin ("repair", 0.8f))
     return {};
@@ -93,7 +92,7 @@ extractShape (const SampleDimensions& dimensions, bool watertight, StageLog& log
     return {};
   FacetSet surface = watertight ? closedSurface (complex, colors) : openSurface (dimensions, roles, colors);
   if (!watertight) {
-    eraseOneSided (seams, surface);
+    mendOneSided (dimensions, roles, solid_cells.certain, coloring.colors, coloring.torn, surface);
     growSurface (dimensions, roles, surface);
     fillSmallLoops (roles, surface);
   }

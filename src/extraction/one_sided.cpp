@@ -2,6 +2,10 @@
 
 #include "complex/disjoint_sets.h"
 #include "extraction/candidates.h"
+#include "extraction/cell_coloring.h"
+#include "extraction/color_repair.h"
+#include "extraction/surface_opening.h"
+#include "voronoi/nearest_samples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +19,14 @@ namespace {
 // meets in the order of sqrt (n) of them. In noise there are a few.
 constexpr std::size_t MIN_SAMPLES = 24;
 constexpr double MIN_SHARE_OF_ROOT = 0.5;
+// How far around a tear the surface is replaced, and how far the new colours keep away from it, in steps to
+// the nearest samples.
+constexpr int REPLACED_STEPS = 4;
+constexpr int AVOIDED_STEPS = 8;
+constexpr int NEIGHBORS = 10;
 
-} // namespace
-
+// Flags the samples of the triangles across which the colour changes in free space and which are no
+// candidates.
 std::vector<std::uint8_t>
 findSeams (const SampleDimensions& dimensions, const std::vector<Role>& roles, const std::vector<Facet>& torn)
 {
@@ -31,11 +40,13 @@ findSeams (const SampleDimensions& dimensions, const std::vector<Role>& roles, c
   return samples;
 }
 
-std::size_t
-eraseOneSided (const std::vector<std::uint8_t>& seams, FacetSet& surface)
+// Flags the samples of the components of a surface that such a seam crosses.
+std::vector<std::uint8_t>
+oneSidedSamples (const std::vector<std::uint8_t>& seams, const FacetSet& surface)
 {
+  std::vector<std::uint8_t> samples (seams.size (), 0);
   if (static_cast<std::size_t> (std::count (seams.begin (), seams.end (), 1)) < MIN_SAMPLES)
-    return 0;
+    return samples;
   DisjointSets sets (seams.size ());
   for (const auto& triangle : surface.triangles ([] (std::int32_t) { return false; })) {
     sets.join (static_cast<std::uint32_t> (triangle[0]), static_cast<std::uint32_t> (triangle[1]));
@@ -49,21 +60,87 @@ eraseOneSided (const std::vector<std::uint8_t>& seams, FacetSet& surface)
     ++sizes[component[i]];
     crossed[component[i]] += seams[i];
   }
-  std::size_t erased = 0;
   for (std::size_t i = 0; i < seams.size (); ++i) {
     const std::uint32_t c = component[i];
-    if (crossed[c] < MIN_SAMPLES ||
-        static_cast<double> (crossed[c]) < MIN_SHARE_OF_ROOT * std::sqrt (static_cast<double> (sizes[c])))
-      continue;
-    ++erased;
-    std::vector<Facet> facets;
-    surface.forEachAt (static_cast<std::int32_t> (i), [&] (std::int32_t cell, int facet) {
-      facets.push_back ({cell, facet});
-    });
-    for (const Facet& facet : facets)
-      surface.erase (facet.cell, facet.facet);
+    samples[i] =
+      crossed[c] >= MIN_SAMPLES &&
+      static_cast<double> (crossed[c]) >= MIN_SHARE_OF_ROOT * std::sqrt (static_cast<double> (sizes[c]));
   }
-  return erased;
+  return samples;
+}
+
+// The flagged samples and, so many steps on, the nearest ones around them.
+std::vector<std::uint8_t>
+grown (const DelaunayComplex& complex, std::vector<std::uint8_t> samples, int steps)
+{
+  NearestSamples nearest (complex);
+  for (int step = 0; step < steps; ++step) {
+    const std::vector<std::uint8_t> before = samples;
+    for (std::size_t i = 0; i < before.size (); ++i)
+      if (before[i])
+        for (const std::int32_t q : nearest.find (static_cast<std::int32_t> (i), NEIGHBORS))
+          samples[q] = 1;
+  }
+  return samples;
+}
+
+// The cells at the flagged samples.
+std::vector<std::uint8_t>
+cellsAt (const DelaunayComplex& complex, const std::vector<std::uint8_t>& samples)
+{
+  std::vector<std::uint8_t> cells (complex.cells.size (), 0);
+  for (std::size_t i = 0; i < samples.size (); ++i)
+    if (samples[i])
+      for (const std::int32_t cell : VoronoiCell (complex, static_cast<std::int32_t> (i)))
+        cells[cell] = 1;
+  return cells;
+}
+
+std::vector<Facet>
+facetsAt (const FacetSet& surface, std::int32_t sample)
+{
+  std::vector<Facet> facets;
+  surface.forEachAt (sample, [&facets] (std::int32_t cell, int facet) { facets.push_back ({cell, facet}); });
+  return facets;
+}
+
+} // namespace
+
+std::size_t
+mendOneSided (const SampleDimensions& dimensions, const std::vector<Role>& roles,
+              const std::vector<std::uint8_t>& solid, const std::vector<std::uint8_t>& colors,
+              const std::vector<Facet>& torn, FacetSet& surface)
+{
+  const DelaunayComplex& complex = *dimensions.complex;
+  std::vector<std::uint8_t> tear = oneSidedSamples (findSeams (dimensions, roles, torn), surface);
+  if (std::find (tear.begin (), tear.end (), 1) == tear.end ())
+    return 0;
+  for (std::size_t i = 0; i < tear.size (); ++i)
+    tear[i] = tear[i] && crossesItself (complex, colors, static_cast<std::int32_t> (i)) ? 1 : 0;
+
+  const std::vector<std::uint8_t> avoided = cellsAt (complex, grown (complex, tear, AVOIDED_STEPS));
+  std::vector<std::uint8_t> other_colors = colorCells (dimensions, roles, solid, false, avoided).colors;
+  repairColors (dimensions, roles, false, other_colors);
+  insertSamples (dimensions, roles, other_colors);
+  const FacetSet other = openSurface (dimensions, roles, other_colors);
+
+  const std::vector<std::uint8_t> replaced = grown (complex, tear, REPLACED_STEPS);
+  std::vector<std::int32_t> changed;
+  const auto forReplaced = [&] (const FacetSet& from, const auto& change) {
+    for (std::size_t i = 0; i < replaced.size (); ++i)
+      if (replaced[i])
+        for (const Facet& facet : facetsAt (from, static_cast<std::int32_t> (i))) {
+          change (facet);
+          for (const std::int32_t vertex : facetOf (complex, facet.cell, facet.facet))
+            changed.push_back (vertex);
+        }
+  };
+  forReplaced (surface, [&] (const Facet& facet) { surface.erase (facet.cell, facet.facet); });
+  forReplaced (other, [&] (const Facet& facet) { surface.insert (facet.cell, facet.facet); });
+  std::sort (changed.begin (), changed.end ());
+  changed.erase (std::unique (changed.begin (), changed.end ()), changed.end ());
+  eraseToManifold (changed, surface);
+  return static_cast<std::size_t> (std::count (replaced.begin (), replaced.end (), 1));
 }
 
 } // namespace manifold

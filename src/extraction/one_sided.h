@@ -9,15 +9,15 @@
 namespace pcl {
 namespace manifold {
 
-/** Flags the samples of those triangles across which the colour changes in the middle of free space and which
- * are no candidates. That happens beside a surface with one side only, as a Moebius band is: its two colours
- * have to meet somewhere. */
-std::vector<std::uint8_t> findSeams (const SampleDimensions& dimensions, const std::vector<Role>& roles,
-                                     const std::vector<Facet>& torn);
-
-/** Erases the components of a surface that such a seam crosses. What is erased is left to growSurface, which
- * needs no sides. \return the number of samples that the surface was taken from */
-std::size_t eraseOneSided (const std::vector<std::uint8_t>& seams, FacetSet& surface);
+/** Replaces the surface where its colours tear it because it has one side only, as a Moebius band has: the
+ * two colours have to meet somewhere, and there they change in the middle of free space, between cells whose
+ * circumspheres are nearly the same. The cells are coloured again such that this happens elsewhere, and the
+ * surface around the tear is taken from there. \param[in] solid the cells that are certain to be inside of a
+ * solid, a flag per cell \param[in] colors as they were before any repair, and torn, the facets where they
+ * change in free space \return the number of samples at which the surface was replaced */
+std::size_t mendOneSided (const SampleDimensions& dimensions, const std::vector<Role>& roles,
+                          const std::vector<std::uint8_t>& solid, const std::vector<std::uint8_t>& colors,
+                          const std::vector<Facet>& torn, FacetSet& surface);
 
 } // namespace manifold
 } // namespace pcl

@@ -3,6 +3,7 @@
 #include "complex/disjoint_sets.h"
 #include "extraction/candidates.h"
 #include "extraction/facet_fitting.h"
+#include "extraction/surface_opening.h"
 
 #include <algorithm>
 
@@ -16,7 +17,7 @@ namespace {
 constexpr std::uint32_t MIN_CLUSTER = 100;
 constexpr int MAX_ROUNDS = 6;
 // Loops are filled if they have no more edges than this ...
-constexpr std::size_t MAX_FILLED_LOOP = 6;
+constexpr std::size_t MAX_FILLED_LOOP = 12;
 // ... or than this, where most of their samples are not on a rim: those are cracks between parts that grew
 // together.
 constexpr std::size_t MAX_FILLED_CRACK = 60;
@@ -51,6 +52,18 @@ uncoveredClusters (const SampleDimensions& dimensions, const std::vector<Role>& 
                                    }),
                    uncovered.end ());
   return uncovered;
+}
+
+std::vector<std::int32_t>
+samplesOf (const DelaunayComplex& complex, const std::vector<Facet>& facets)
+{
+  std::vector<std::int32_t> samples;
+  for (const Facet& facet : facets)
+    for (const std::int32_t vertex : facetOf (complex, facet.cell, facet.facet))
+      samples.push_back (vertex);
+  std::sort (samples.begin (), samples.end ());
+  samples.erase (std::unique (samples.begin (), samples.end ()), samples.end ());
+  return samples;
 }
 
 } // namespace
@@ -112,7 +125,6 @@ void
 fillSmallLoops (const std::vector<Role>& roles, FacetSet& surface)
 {
   const DelaunayComplex& complex = surface.complex ();
-  std::vector<Facet> candidates;
   for (std::vector<std::int32_t>& loop : boundaryLoops (surface)) {
     const auto inside = std::count_if (loop.begin (), loop.end (),
                                        [&] (std::int32_t sample) { return roles[sample] == Role::SURFACE; });
@@ -123,14 +135,31 @@ fillSmallLoops (const std::vector<Role>& roles, FacetSet& surface)
     const auto onLoop = [&loop] (std::int32_t vertex) {
       return std::binary_search (loop.begin (), loop.end (), vertex);
     };
+    std::vector<Facet> candidates;
+    std::vector<Facet> before;
     for (const std::int32_t sample : loop)
       VoronoiCell (complex, sample).forEachEdge ([&] (std::int32_t cell, std::int32_t, int facet) {
         const std::array<std::int32_t, 2> side = oppositeSide (complex, cell, facet, sample);
-        if (onLoop (side[0]) && onLoop (side[1]) && !surface.contains (cell, facet))
+        if (surface.contains (cell, facet))
+          before.push_back ({cell, facet});
+        else if (onLoop (side[0]) && onLoop (side[1]))
           candidates.push_back ({cell, facet});
       });
+    insertFitting (candidates, surface);
+    Fan fan;
+    const bool filled = std::all_of (loop.begin (), loop.end (), [&] (std::int32_t sample) {
+      surface.fanAt (sample, fan);
+      return fan.isClosed ();
+    });
+    if (filled)
+      continue;
+    // A loop that is not filled as a whole is left as it was, not cut into smaller ones.
+    for (const Facet& facet : candidates)
+      surface.erase (facet.cell, facet.facet);
+    for (const Facet& facet : before)
+      surface.insert (facet.cell, facet.facet);
+    eraseToManifold (samplesOf (complex, before), surface);
   }
-  insertFitting (std::move (candidates), surface);
 }
 
 } // namespace manifold
