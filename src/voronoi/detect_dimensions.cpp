@@ -16,9 +16,9 @@ namespace {
 bool
 isOf (const DelaunayComplex& complex, const SampleSet& samples)
 {
-  return complex.samples && complex.samples->points == samples.points &&
-         complex.samples->origin == samples.origin && complex.samples->scale == samples.scale &&
-         complex.samples->input_index == samples.input_index &&
+  return complex.samples && complex.samples->size () == samples.size () &&
+         complex.samples->points == samples.points && complex.samples->origin == samples.origin &&
+         complex.samples->scale == samples.scale && complex.samples->input_index == samples.input_index &&
          complex.samples->sample_of == samples.sample_of;
 }
 

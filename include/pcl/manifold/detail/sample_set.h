@@ -54,7 +54,7 @@ struct SampleSet
  * \param[out] samples the result; empty unless the answer is Status::OK
  * \return NO_INPUT where no point is finite, PARAMETER_OUT_OF_RANGE for a negative or non-finite thinning,
  * INPUT_TOO_COARSE where the typical spacing is no more than a few steps of the coordinates' type far from
- * the origin
+ * the origin, INPUT_OUT_OF_RANGE where the extent of the points overflows
  *
  * O (n log n), plus one k-nearest-neighbour search of every point where thinning asks for it. */
 PCL_MANIFOLD_CORE_EXPORTS Status makeSampleSet (const Eigen::Matrix3Xd& points, const pcl::Indices& indices,
