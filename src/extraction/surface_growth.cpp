@@ -12,8 +12,7 @@ namespace manifold {
 
 namespace {
 
-// Fewer samples without a triangle than this, next to each other, are noise beside a surface; more of them
-// are a sheet that has no two sides.
+// Fewer samples without a triangle than this, next to each other, are noise beside a surface.
 constexpr std::uint32_t MIN_CLUSTER = 100;
 constexpr int MAX_ROUNDS = 6;
 // Loops are filled if they have no more edges than this ...
