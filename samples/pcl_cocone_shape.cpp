@@ -40,42 +40,30 @@ main (int argc, char** argv)
     "over its points.");
   std::string input_file;
   std::string output_file;
-  double rho = 0.3;
-  int k = 0;
-  double spacing = 0.0;
   bool watertight = false;
-  CommonOptions common;
+  SampleOptions options;
+  const CommonOptions& common = options.common;
   command_line.positional ("INPUT", std::string ("cloud: ") + cloud_file_types, input_file)
     .positional ("OUTPUT", "mesh: .ply .obj .vtk .vtu (tetrahedra in the last two only, else their boundary)",
                  output_file)
-    .option ("rho", "r", "largest ratio of heights that still makes a normal direction, in (0, 1]", rho,
-             {1e-9, 1.0})
-    .option ("k", "k",
-             "thin the cloud: no two samples among each other's k nearest neighbours; 0 = off.\n"
-             "4 to 8 for airborne scans, 12 to 48 for random or noisy points: no more than it takes",
-             k, {0, 100000})
-    .option ("spacing", "h", "thin the cloud: no two samples nearer than h; 0 = off", spacing, {0, 1e300})
     .flag ("watertight", "close every surface", watertight)
-    .common (common)
     .example ("pcl_cocone_shape scan.pcd shape.ply -report shape.json -picture shape.png");
+
+  options.declare (command_line);
 
   return runApp (argc, argv, command_line, [&] {
     std::string error;
     if (!canSaveComplex (output_file, error))
       throw AppError (output_file, error);
-    if (!common.report.empty ())
-      checkWritable (common.report);
+    options.checkReport ();
     const Picture picture (common.picture);
     const InputCloud input = readCloud (input_file);
     printNotes (input, common.quiet);
 
     pcl::CoconeShape<pcl::PointXYZ> reconstruction;
     reconstruction.setInputCloud (pointsOf (input));
-    reconstruction.setRho (rho);
-    reconstruction.setKSearch (k);
-    reconstruction.setSpacing (spacing);
+    options.apply (reconstruction);
     reconstruction.setWatertight (watertight);
-    reconstruction.setNumberOfThreads (static_cast<unsigned int> (common.threads));
     pcl::SimplicialComplex shape;
     {
       Progress progress ("shape", common.quiet);
@@ -87,11 +75,8 @@ main (int argc, char** argv)
     Report report ("pcl_cocone_shape");
     Table table;
     describeInput (input, *reconstruction.getDelaunayComplex ()->samples, report, table);
-    report.parameter ("rho", rho);
-    report.parameter ("k", k);
-    report.parameter ("spacing", spacing);
+    options.describe (report);
     report.parameter ("watertight", watertight);
-    report.parameter ("threads", common.threads);
     describeTopology (analyze (shape), report, table);
     describeStages (reconstruction.getStages (), report, table);
 

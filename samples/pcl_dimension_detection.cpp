@@ -55,37 +55,25 @@ main (int argc, char** argv)
     "manifold_dimension, boundary (is it on the rim, skin or end of its manifold) and confidence.");
   std::string input_file;
   std::string output_file;
-  double rho = 0.3;
-  int k = 0;
-  double spacing = 0.0;
-  CommonOptions common;
+  SampleOptions options;
+  const CommonOptions& common = options.common;
   command_line.positional ("INPUT", std::string ("cloud: ") + cloud_file_types, input_file)
     .positional ("OUTPUT", "cloud with the fields of the input and the new ones: .pcd", output_file)
-    .option ("rho", "r", "largest ratio of heights that still makes a normal direction, in (0, 1]", rho,
-             {1e-9, 1.0})
-    .option ("k", "k",
-             "thin the cloud: no two samples among each other's k nearest neighbours; 0 = off.\n"
-             "4 to 8 for airborne scans, 12 to 48 for random or noisy points: no more than it takes",
-             k, {0, 100000})
-    .option ("spacing", "h", "thin the cloud: no two samples nearer than h; 0 = off", spacing, {0, 1e300})
-    .common (common)
     .example ("pcl_dimension_detection scan.pcd dimensions.pcd -k 6 -picture dimensions.png");
+
+  options.declare (command_line);
 
   return runApp (argc, argv, command_line, [&] {
     requireType ("OUTPUT", output_file, {".pcd"});
     checkWritable (output_file);
-    if (!common.report.empty ())
-      checkWritable (common.report);
+    options.checkReport ();
     const Picture picture (common.picture);
     InputCloud input = readCloud (input_file);
     printNotes (input, common.quiet);
 
     pcl::DimensionDetection<pcl::PointXYZ> detection;
     detection.setInputCloud (pointsOf (input));
-    detection.setRho (rho);
-    detection.setKSearch (k);
-    detection.setSpacing (spacing);
-    detection.setNumberOfThreads (static_cast<unsigned int> (common.threads));
+    options.apply (detection);
     pcl::PointCloud<pcl::Label> labels;
     {
       Progress progress ("dimension", common.quiet);
@@ -109,10 +97,7 @@ main (int argc, char** argv)
     Report report ("pcl_dimension_detection");
     Table table;
     describeInput (input, *detection.getDelaunayComplex ()->samples, report, table);
-    report.parameter ("rho", rho);
-    report.parameter ("k", k);
-    report.parameter ("spacing", spacing);
-    report.parameter ("threads", common.threads);
+    options.describe (report);
     report.result ("affine_dimension", detection.getDelaunayComplex ()->affine_dimension);
     report.result ("tetrahedra", detection.getDelaunayComplex ()->finite_cells);
     describeDimensions ("dimension", dimension, report, table);

@@ -1,10 +1,42 @@
 #include "sample_input.h"
 
+#include "atomic_file.h"
+
 #include <pcl/conversions.h>
 
 #include <iostream>
 
 namespace pcl::manifold::apps {
+
+void
+SampleOptions::declare (CommandLine& command_line)
+{
+  command_line
+    .option ("rho", "r", "largest ratio of heights that still makes a normal direction, in (0, 1]", rho,
+             {1e-9, 1.0})
+    .option ("k", "k",
+             "thin the cloud: no two samples among each other's k nearest neighbours; 0 = off.\n"
+             "4 to 8 for airborne scans, 12 to 48 for random or noisy points: no more than it takes",
+             k, {0, 100000})
+    .option ("spacing", "h", "thin the cloud: no two samples nearer than h; 0 = off", spacing, {0, 1e300})
+    .common (common);
+}
+
+void
+SampleOptions::checkReport () const
+{
+  if (!common.report.empty ())
+    checkWritable (common.report);
+}
+
+void
+SampleOptions::describe (Report& report) const
+{
+  report.parameter ("rho", rho);
+  report.parameter ("k", k);
+  report.parameter ("spacing", spacing);
+  report.parameter ("threads", common.threads);
+}
 
 pcl::PointCloud<pcl::PointXYZ>::Ptr
 pointsOf (const InputCloud& input)

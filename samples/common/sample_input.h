@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cloud_reader.h"
+#include "command_line.h"
 #include "report.h"
 #include "table.h"
 
@@ -12,6 +13,33 @@
 #include <vector>
 
 namespace pcl::manifold::apps {
+
+/** \brief The options that both apps of the Delaunay family hand on to their class. */
+struct SampleOptions
+{
+  double rho = 0.3;
+  int k = 0;
+  double spacing = 0.0;
+  CommonOptions common;
+
+  /** \brief Declares `-rho`, `-k`, `-spacing` and the common options. */
+  void declare (CommandLine& command_line);
+
+  /** \brief Checks early that what the common options ask for can be written. */
+  void checkReport () const;
+
+  void describe (Report& report) const;
+
+  /** \brief Sets them on a DimensionDetection or CoconeShape. */
+  template <typename Class>
+  void apply (Class& object) const
+  {
+    object.setRho (rho);
+    object.setKSearch (k);
+    object.setSpacing (spacing);
+    object.setNumberOfThreads (static_cast<unsigned int> (common.threads));
+  }
+};
 
 /** \brief The coordinates of a cloud that was read, for the classes of the library. */
 pcl::PointCloud<pcl::PointXYZ>::Ptr pointsOf (const InputCloud& input);
