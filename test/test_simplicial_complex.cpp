@@ -168,6 +168,38 @@ TEST (SimplicialComplex, OrientClosedSurfaceOutward)
   }
 }
 
+TEST (SimplicialComplex, OrientPatchesThatAgreeAlready)
+{
+  // Two cubes, one of them inside out and beside the other, and a third that lost a triangle.
+  Eigen::Matrix3Xd cube;
+  const std::vector<Triangle> skin = boundaryTriangles (cubeOfTetrahedra (2, cube));
+  Eigen::Matrix3Xd points (3, 3 * cube.cols ());
+  std::vector<Triangle> triangles;
+  for (int copy = 0; copy < 3; ++copy) {
+    const auto shift = static_cast<pcl::index_t> (copy * cube.cols ());
+    points.middleCols (shift, cube.cols ()) = cube.colwise () + Eigen::Vector3d (5.0 * copy, 0, 0);
+    for (Triangle t : skin) {
+      if (copy > 0)
+        std::swap (t[1], t[2]);
+      triangles.push_back ({t[0] + shift, t[1] + shift, t[2] + shift});
+    }
+  }
+  triangles.pop_back ();
+  const std::vector<Triangle> before = triangles;
+  const Orientation orientation = orientTriangles (triangles, points);
+  EXPECT_EQ (orientation.patches, 3u);
+  EXPECT_EQ (orientation.non_orientable_patches, 0u);
+  EXPECT_EQ (disagreements (triangles), 0u);
+  const auto part = [&] (const std::vector<Triangle>& all, std::size_t copy) {
+    const auto begin = all.begin () + static_cast<std::ptrdiff_t> (copy * skin.size ());
+    return std::vector<Triangle> (begin, copy == 2 ? all.end ()
+                                                   : begin + static_cast<std::ptrdiff_t> (skin.size ()));
+  };
+  EXPECT_EQ (part (triangles, 0), part (before, 0));
+  EXPECT_GT (enclosedVolume (part (triangles, 1), points), 0.0);
+  EXPECT_EQ (part (triangles, 2), part (before, 2)); // has a boundary: keeps its direction
+}
+
 TEST (SimplicialComplex, OrientOpenAndClosedPatches)
 {
   // A tetrahedron facing inward, and two triangles that do not agree and touch it at a vertex.
