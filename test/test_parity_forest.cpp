@@ -1,7 +1,8 @@
-// Disjoint sets with two colours against a list of sets.
+// Disjoint sets with two colours against a list of sets, and the spanning forest against Kruskal's algorithm.
 #include "oracle_random.h"
 
 #include "extraction/parity_forest.h"
+#include "extraction/spanning_forest.h"
 
 #include <gtest/gtest.h>
 
@@ -68,6 +69,68 @@ TEST (ParityForest, KeepsSetsAndColors)
         const auto [root_b, parity_b] = forest.look (b);
         ASSERT_EQ (root_a == root_b, listed.together (a, b));
         ASSERT_TRUE (root_a != root_b || (parity_a != parity_b) == listed.differ (a, b));
+      }
+  }
+}
+
+// Random wishes with many equal steps, some of which are none.
+struct RandomWishes
+{
+  struct Wish
+  {
+    std::uint32_t a, b, step;
+    bool opposite;
+  };
+  std::vector<Wish> wishes;
+
+  RandomWishes (Random& random, int elements)
+  {
+    for (int i = random.integer (0, 3 * elements); i > 0; --i)
+      wishes.push_back ({static_cast<std::uint32_t> (random.index (elements)),
+                         static_cast<std::uint32_t> (random.index (elements)),
+                         static_cast<std::uint32_t> (random.integer (0, 9)), random.coin ()});
+  }
+
+  std::uint32_t size () const { return static_cast<std::uint32_t> (wishes.size ()); }
+
+  bool valid (std::uint32_t wish) const { return wishes[wish].step > 0; }
+
+  std::uint32_t step (std::uint32_t wish) const { return wishes[wish].step; }
+
+  std::pair<std::uint32_t, std::uint32_t> ends (std::uint32_t wish) const
+  {
+    return {wishes[wish].a, wishes[wish].b};
+  }
+
+  bool opposite (std::uint32_t wish) const { return wishes[wish].opposite; }
+};
+
+TEST (SpanningForest, GrantsWishesInTheirOrder)
+{
+  for (std::uint64_t seed = 0; seed < 3000; ++seed) {
+    Random random (seed);
+    const int n = random.integer (1, 80);
+    const RandomWishes wishes (random, n);
+    ParityForest forest (static_cast<std::size_t> (n));
+    Listed listed (n);
+    for (int i = random.integer (0, 4); i > 0; --i) { // what was joined before
+      const auto a = static_cast<std::uint32_t> (random.index (n));
+      const auto b = static_cast<std::uint32_t> (random.index (n));
+      forest.unite (a, b, i % 2 == 0);
+      listed.unite (a, b, i % 2 == 0);
+    }
+    for (std::uint32_t step = 1; step < 10; ++step)
+      for (const auto& wish : wishes.wishes)
+        if (wish.step == step)
+          listed.unite (wish.a, wish.b, wish.opposite);
+    const std::size_t few = static_cast<std::size_t> (random.integer (0, 20));
+    pcl::manifold::SpanningForest<RandomWishes> (wishes, forest, few).grow ();
+    for (std::uint32_t a = 0; a < static_cast<std::uint32_t> (n); ++a)
+      for (std::uint32_t b = 0; b < a; ++b) {
+        const auto [root_a, parity_a] = forest.look (a);
+        const auto [root_b, parity_b] = forest.look (b);
+        ASSERT_EQ (root_a == root_b, listed.together (a, b)) << "seed " << seed;
+        ASSERT_TRUE (root_a != root_b || (parity_a != parity_b) == listed.differ (a, b)) << "seed " << seed;
       }
   }
 }

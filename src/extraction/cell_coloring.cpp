@@ -2,6 +2,7 @@
 
 #include "common/parallel.h"
 #include "extraction/parity_forest.h"
+#include "extraction/spanning_forest.h"
 #include "voronoi/voronoi_cell.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace manifold {
 
 namespace {
 
-// Wishes are sorted by weight in steps of 1 / 2048, after the first step, which is for what is certain;
+// Wishes are granted by weight in steps of 1 / 2048, after the first step, which is for what is certain;
 // within a step their order is that of cells and samples.
 constexpr std::uint32_t STEPS = 4097;
 constexpr std::uint16_t NO_WISH = STEPS;
@@ -50,7 +51,12 @@ intersectionDepth (const DelaunayComplex& complex, std::int32_t a, int facet)
   while (k == facet || vertices[k] == DelaunayComplex::INFINITE_VERTEX)
     ++k;
   const VoronoiCell cell (complex, vertices[k]);
-  return directionTo (cell, a).dot (directionTo (cell, complex.neighbors[a][facet]));
+  const std::int32_t b = complex.neighbors[a][facet];
+  const Eigen::Vector3d to_a = cell.vertex (a);
+  const Eigen::Vector3d to_b = cell.vertex (b);
+  // One division for two finite vertices; not the root of a product, which could overflow.
+  return to_a.dot (to_b) /
+         ((cell.isInfinite (a) ? 1.0 : to_a.norm ()) * (cell.isInfinite (b) ? 1.0 : to_b.norm ()));
 }
 
 struct Poles
@@ -87,133 +93,79 @@ findPoles (const VoronoiCell& cell, const Eigen::Vector3d& normal)
   return poles;
 }
 
-/** All wishes, sorted: numbers below 4 * cells stand for facets, cell * 4 + facet, the others for samples. */
+/** All wishes: those below 4 * cells stand for facets, cell * 4 + facet, the others for samples. */
 class Wishes
 {
 public:
   Wishes (const SampleDimensions& dimensions, const std::vector<Role>& roles,
           const std::vector<std::uint8_t>& together)
-    : complex_ (*dimensions.complex), cells_ (complex_.cells.size ()), poles_ (roles.size ())
+    : complex_ (*dimensions.complex), cells_ (complex_.cells.size ()), steps_ (4 * cells_ + roles.size ()),
+      poles_ (roles.size ())
   {
-    std::vector<std::uint16_t> steps (4 * cells_ + roles.size (), NO_WISH);
     parallelFor (cells_, [&] (std::size_t i) {
       const auto cell = static_cast<std::int32_t> (i);
-      for (int k = 0; k < 4; ++k)
-        if (cell < complex_.neighbors[i][k]) {
-          const double depth = intersectionDepth (complex_, cell, k);
-          const bool first = depth > FREE_SPACE_DEPTH && !together.empty () && together[i] &&
-                             together[complex_.neighbors[i][k]];
-          steps[4 * i + k] = stepOf (first ? CERTAIN : depth);
+      for (int k = 0; k < 4; ++k) {
+        const std::int32_t neighbor = complex_.neighbors[i][k];
+        if (cell >= neighbor) {
+          steps_[4 * i + k] = NO_WISH;
+          continue;
         }
+        const double depth = intersectionDepth (complex_, cell, k);
+        const bool first =
+          depth > FREE_SPACE_DEPTH && !together.empty () && together[i] && together[neighbor];
+        steps_[4 * i + k] = stepOf (first ? CERTAIN : depth);
+      }
     });
     parallelFor (roles.size (), [&] (std::size_t i) {
-      if (roles[i] != Role::SURFACE)
-        return;
-      poles_[i] =
-        findPoles (VoronoiCell (complex_, static_cast<std::int32_t> (i)), dimensions.normals.col (i));
-      if (poles_[i].inner >= 0 && poles_[i].outer >= 0)
-        steps[4 * cells_ + i] =
-          stepOf (poles_[i].opposition > CERTAIN_OPPOSITION ? CERTAIN : poles_[i].opposition);
+      if (roles[i] == Role::SURFACE)
+        poles_[i] =
+          findPoles (VoronoiCell (complex_, static_cast<std::int32_t> (i)), dimensions.normals.col (i));
+      const Poles& poles = poles_[i];
+      steps_[4 * cells_ + i] = poles.inner < 0 || poles.outer < 0      ? NO_WISH
+                               : poles.opposition > CERTAIN_OPPOSITION ? stepOf (CERTAIN)
+                                                                       : stepOf (poles.opposition);
     });
-    sort (steps);
   }
 
-  /** Grants the wishes in their order, as far as those before allow. Few of the later ones join anything:
-   * before each of the growing pieces the others are sorted out in parallel. */
-  void grant (ParityForest& forest)
-  {
-    deep_.assign (order_.begin (), order_.begin () + static_cast<std::ptrdiff_t> (deep_end_));
-    std::size_t begin = 0;
-    for (const std::size_t share : {16, 8, 4, 2, 1}) {
-      const std::size_t end = order_.size () / share;
-      if (begin > 0) {
-        forest.compress ();
-        parallelFor (end - begin, [&] (std::size_t i) {
-          std::uint32_t& wish = order_[begin + i];
-          const auto [a, b] = cellsOf (wish);
-          if (forest.look (a).first == forest.look (b).first)
-            wish = GRANTED;
-        });
-      }
-      for (std::size_t i = begin; i < end; ++i)
-        if (order_[i] != GRANTED) {
-          const auto [a, b] = cellsOf (order_[i]);
-          forest.unite (a, b, order_[i] >= 4 * cells_);
-        }
-      begin = end;
-    }
-  }
+  std::uint32_t size () const { return static_cast<std::uint32_t> (steps_.size ()); }
 
-  /** The facets between cells that share nearly all of their circumspheres and still got two colours. */
-  std::vector<Facet> torn (const std::vector<std::uint8_t>& colors) const
-  {
-    std::vector<Facet> facets;
-    for (const std::uint32_t wish : deep_)
-      if (wish < 4 * cells_) {
-        const auto [a, b] = cellsOf (wish);
-        if (colors[a] != colors[b])
-          facets.push_back ({static_cast<std::int32_t> (a), static_cast<int> (wish & 3)});
-      }
-    return facets;
-  }
+  bool valid (std::uint32_t wish) const { return steps_[wish] != NO_WISH; }
 
-private:
-  static constexpr std::uint32_t GRANTED = UINT32_MAX;
+  std::uint32_t step (std::uint32_t wish) const { return steps_[wish]; }
 
-  std::pair<std::uint32_t, std::uint32_t> cellsOf (std::uint32_t wish) const
+  bool opposite (std::uint32_t wish) const { return wish >= 4 * cells_; }
+
+  std::pair<std::uint32_t, std::uint32_t> ends (std::uint32_t wish) const
   {
-    if (wish >= 4 * cells_) {
+    if (opposite (wish)) {
       const Poles& poles = poles_[wish - 4 * cells_];
       return {static_cast<std::uint32_t> (poles.outer), static_cast<std::uint32_t> (poles.inner)};
     }
     return {wish >> 2, static_cast<std::uint32_t> (complex_.neighbors[wish >> 2][wish & 3])};
   }
 
-  // A counting sort in parallel pieces, stable and so the same for any number of threads.
-  void sort (const std::vector<std::uint16_t>& steps)
+  /** The facets between cells that share nearly all of their circumspheres and still got two colours, the
+   * deepest first. */
+  std::vector<Facet> torn (const std::vector<std::uint8_t>& colors) const
   {
-    constexpr std::size_t PIECES = 64;
-    const std::size_t piece_size = steps.size () / PIECES + 1;
-    std::vector<std::uint32_t> counts (PIECES * STEPS, 0);
-    const auto forPiece = [&] (std::size_t piece, const auto& body) {
-      const std::size_t end = std::min (steps.size (), (piece + 1) * piece_size);
-      for (std::size_t i = piece * piece_size; i < end; ++i)
-        if (steps[i] != NO_WISH)
-          body (i);
-    };
-    parallelFor (
-      PIECES,
-      [&] (std::size_t piece) {
-        forPiece (piece, [&] (std::size_t i) { ++counts[piece * STEPS + steps[i]]; });
-      },
-      1);
-    std::uint32_t sum = 0;
-    for (std::size_t step = 0; step < STEPS; ++step) {
-      if (step == stepOf (FREE_SPACE_DEPTH))
-        deep_end_ = sum;
-      for (std::size_t piece = 0; piece < PIECES; ++piece) {
-        const std::uint32_t count = counts[piece * STEPS + step];
-        counts[piece * STEPS + step] = sum;
-        sum += count;
-      }
-    }
-    order_.resize (sum);
-    parallelFor (
-      PIECES,
-      [&] (std::size_t piece) {
-        forPiece (piece, [&] (std::size_t i) {
-          order_[counts[piece * STEPS + steps[i]]++] = static_cast<std::uint32_t> (i);
-        });
-      },
-      1);
+    const std::uint16_t end = stepOf (FREE_SPACE_DEPTH);
+    std::vector<std::uint32_t> wishes;
+    for (std::uint32_t wish = 0; wish < 4 * cells_; ++wish)
+      if (steps_[wish] < end && colors[wish >> 2] != colors[complex_.neighbors[wish >> 2][wish & 3]])
+        wishes.push_back (wish);
+    std::stable_sort (wishes.begin (), wishes.end (),
+                      [this] (std::uint32_t a, std::uint32_t b) { return steps_[a] < steps_[b]; });
+    std::vector<Facet> facets;
+    for (const std::uint32_t wish : wishes)
+      facets.push_back ({static_cast<std::int32_t> (wish >> 2), static_cast<int> (wish & 3)});
+    return facets;
   }
 
+private:
   const DelaunayComplex& complex_;
   std::size_t cells_;
+  std::vector<std::uint16_t> steps_;
   std::vector<Poles> poles_;
-  std::vector<std::uint32_t> order_;
-  std::vector<std::uint32_t> deep_; // the wishes of cells that share nearly all of their circumspheres
-  std::size_t deep_end_ = 0;
 };
 
 } // namespace
@@ -234,8 +186,8 @@ colorCells (const SampleDimensions& dimensions, const std::vector<Role>& roles,
     for (int k = 0; solid[cell] && k < 4; ++k)
       if (solid[complex.neighbors[cell][k]])
         forest.unite (cell, static_cast<std::uint32_t> (complex.neighbors[cell][k]), false);
-  Wishes wishes (dimensions, roles, together);
-  wishes.grant (forest);
+  const Wishes wishes (dimensions, roles, together);
+  SpanningForest<Wishes> (wishes, forest).grow ();
 
   CellColors result;
   result.colors.resize (cells);

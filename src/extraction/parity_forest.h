@@ -14,7 +14,7 @@ namespace manifold {
 class ParityForest
 {
 public:
-  explicit ParityForest (std::size_t n) : link_ (n), size_ (n, 1)
+  explicit ParityForest (std::size_t n) : link_ (n)
   {
     parallelFor (
       n, [this] (std::size_t i) { set (static_cast<std::uint32_t> (i), static_cast<std::uint32_t> (i), 0); });
@@ -52,26 +52,33 @@ public:
   /** Links every element to its root, in parallel: makes later calls of find and look short. */
   void compress ()
   {
-    parallelFor (link_.size (), [this] (std::size_t i) {
-      const auto [root, parity] = look (static_cast<std::uint32_t> (i));
-      set (static_cast<std::uint32_t> (i), root, parity);
-    });
+    parallelFor (link_.size (), [this] (std::size_t i) { shorten (static_cast<std::uint32_t> (i)); });
+  }
+
+  /** Links an element to its root: safe from several threads at once, also beside look. */
+  void shorten (std::uint32_t element)
+  {
+    const auto [root, parity] = look (element);
+    set (element, root, parity);
   }
 
   /** Joins the sets of two elements of the same or of opposite colours, unless they are in one set already.
    */
   bool unite (std::uint32_t a, std::uint32_t b, bool opposite)
   {
-    auto [root_a, parity_a] = find (a);
-    auto [root_b, parity_b] = find (b);
+    const auto [root_a, parity_a] = find (a);
+    const auto [root_b, parity_b] = find (b);
     if (root_a == root_b)
       return false;
-    if (size_[root_a] < size_[root_b])
-      std::swap (root_a, root_b);
-    set (root_b, root_a, parity_a ^ parity_b ^ (opposite ? 1u : 0u));
-    size_[root_a] += size_[root_b];
+    link (root_b, root_a, parity_a ^ parity_b ^ (opposite ? 1u : 0u));
     return true;
   }
+
+  /** Links a root to another element, whose colour it has (parity 0) or not (1); not to one of its own set.
+   */
+  void link (std::uint32_t root, std::uint32_t element, std::uint32_t parity) { set (root, element, parity); }
+
+  std::size_t size () const { return link_.size (); }
 
 private:
   std::uint32_t linkOf (std::uint32_t element) const
@@ -86,7 +93,6 @@ private:
 
   // Atomic for compress: other threads may look along a way that is being shortened, and either is right.
   std::vector<std::atomic<std::uint32_t>> link_; // parent << 1 | colour relative to the parent
-  std::vector<std::uint32_t> size_;
 };
 
 } // namespace manifold
