@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -30,8 +31,10 @@ using Triangulation =
 
 // Below this many samples there is too little to gain from a parallel insertion to try it out.
 constexpr std::int32_t PARALLEL_MIN_SAMPLES = 200000;
-// Samples next to each other that the two kinds of insertion are tried out on.
-constexpr std::int32_t TRIAL_SAMPLES = 20000;
+// The two kinds of insertion are tried out on this share of the samples, and on no fewer than these, next to
+// each other.
+constexpr std::size_t TRIAL_SHARE = 60;
+constexpr std::size_t TRIAL_MIN_SAMPLES = 10000;
 // Cells per axis of the grid of locks, as in CGAL's manual.
 constexpr int LOCK_GRID = 50;
 
@@ -154,12 +157,43 @@ insertInParallel (const Points& points, const Use& use)
   use (triangulation);
 }
 
+// A random share of the points before the rest, and so on down to a few, each share in the order of the
+// samples, along their space-filling curve: a biased randomized insertion order (Amenta, Choi, Rote).
+std::vector<std::int32_t>
+insertionOrder (std::size_t points)
+{
+  constexpr unsigned int SHARE = 32;
+  constexpr std::size_t FEW = 64;
+  std::vector<std::vector<std::int32_t>> rounds (1);
+  for (std::size_t n = points; n > FEW; n /= SHARE)
+    rounds.emplace_back ();
+  std::mt19937 random (1);
+  for (std::size_t i = 0; i < points; ++i) {
+    std::size_t round = 0;
+    while (round + 1 < rounds.size () && random () % SHARE == 0)
+      ++round;
+    rounds[round].push_back (static_cast<std::int32_t> (i));
+  }
+  std::vector<std::int32_t> order;
+  order.reserve (points);
+  for (auto round = rounds.rbegin (); round != rounds.rend (); ++round)
+    order.insert (order.end (), round->begin (), round->end ());
+  return order;
+}
+
+// The points lie along a space-filling curve already: CGAL's own insertion of a range would sort them again.
 template <typename Use>
 void
 insertInSequence (const Points& points, const Use& use)
 {
-  Triangulation<CGAL::Sequential_tag> triangulation;
-  triangulation.insert (points.begin (), points.end ());
+  using T = Triangulation<CGAL::Sequential_tag>;
+  T triangulation;
+  typename T::Cell_handle hint;
+  for (const std::int32_t i : insertionOrder (points.size ())) {
+    const auto vertex = triangulation.insert (points[i].first, hint);
+    vertex->info () = points[i].second;
+    hint = vertex->cell ();
+  }
   use (triangulation);
 }
 
@@ -178,8 +212,9 @@ secondsOf (const Insert& insert)
 bool
 parallelPays (const Points& points)
 {
-  const auto begin = points.begin () + static_cast<std::ptrdiff_t> (points.size () / 2) - TRIAL_SAMPLES / 2;
-  const Points trial (begin, begin + TRIAL_SAMPLES);
+  const auto begin = points.begin () + static_cast<std::ptrdiff_t> (points.size () / 2);
+  const Points trial (
+    begin, begin + static_cast<std::ptrdiff_t> (std::max (points.size () / TRIAL_SHARE, TRIAL_MIN_SAMPLES)));
   const auto ignore = [] (const auto&) {};
   const double sequential = secondsOf ([&] { insertInSequence (trial, ignore); });
   return secondsOf ([&] { insertInParallel (trial, ignore); }) < sequential;

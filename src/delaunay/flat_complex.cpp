@@ -66,11 +66,24 @@ canonicalPositions (const Cell& cell)
   return result;
 }
 
-// new_number[old] of every cell: finite cells first, each kind by its vertices.
-std::vector<std::int32_t>
-canonicalNumbers (const std::vector<Cell>& cells, std::int32_t samples)
+// A cell with its vertices in canonical order, and its number in the engine's order.
+struct OrderedCell
 {
-  // Bucket 2 v: finite cells whose smallest vertex is v, and in the second half likewise the infinite ones.
+  Cell vertices;
+  std::int32_t number;
+};
+
+Cell
+permuted (const Cell& cell, const std::array<int, 4>& positions)
+{
+  return {cell[positions[0]], cell[positions[1]], cell[positions[2]], cell[positions[3]]};
+}
+
+// The cells in canonical order: finite ones first, each kind by its vertices.
+std::vector<OrderedCell>
+canonicalOrder (const std::vector<Cell>& cells, std::int32_t samples)
+{
+  // Bucket v: finite cells whose smallest vertex is v, and in the second half likewise the infinite ones.
   std::vector<std::atomic<std::int32_t>> counts (2 * static_cast<std::size_t> (samples));
   const auto bucketOf = [&] (const Cell& cell) {
     return static_cast<std::size_t> (smallestFinite (cell)) +
@@ -79,43 +92,35 @@ canonicalNumbers (const std::vector<Cell>& cells, std::int32_t samples)
   parallelFor (cells.size (),
                [&] (std::size_t i) { counts[bucketOf (cells[i])].fetch_add (1, std::memory_order_relaxed); });
   const std::vector<std::int32_t> offsets = offsetsOf (counts);
-  std::vector<std::int32_t> order (cells.size ());
+  std::vector<OrderedCell> order (cells.size ());
   parallelFor (cells.size (), [&] (std::size_t i) {
     const std::size_t bucket = bucketOf (cells[i]);
-    order[offsets[bucket] + counts[bucket].fetch_sub (1, std::memory_order_relaxed) - 1] =
-      static_cast<std::int32_t> (i);
+    order[offsets[bucket] + counts[bucket].fetch_sub (1, std::memory_order_relaxed) - 1] = {
+      permuted (cells[i], canonicalPositions (cells[i])), static_cast<std::int32_t> (i)};
   });
-  std::vector<std::int32_t> new_number (cells.size ());
   parallelFor (counts.size (), [&] (std::size_t bucket) {
-    const auto begin = order.begin () + offsets[bucket];
-    const auto end = order.begin () + offsets[bucket + 1];
-    std::sort (begin, end, [&] (std::int32_t a, std::int32_t b) { return cells[a] < cells[b]; });
-    for (auto i = begin; i != end; ++i)
-      new_number[*i] = static_cast<std::int32_t> (i - order.begin ());
+    std::sort (order.begin () + offsets[bucket], order.begin () + offsets[bucket + 1],
+               [] (const OrderedCell& x, const OrderedCell& y) { return x.vertices < y.vertices; });
   });
-  return new_number;
+  return order;
 }
 
 void
-orderCells (FlatCells& flat, DelaunayComplex& complex)
+orderCells (const FlatCells& flat, DelaunayComplex& complex)
 {
-  const std::size_t n = flat.vertices.size ();
-  parallelFor (n, [&] (std::size_t i) {
-    const std::array<int, 4> positions = canonicalPositions (flat.vertices[i]);
-    const Cell vertices = flat.vertices[i];
-    const Cell neighbors = flat.neighbors[i];
-    for (int k = 0; k < 4; ++k) {
-      flat.vertices[i][k] = vertices[positions[k]];
-      flat.neighbors[i][k] = neighbors[positions[k]];
-    }
+  const std::vector<OrderedCell> order = canonicalOrder (flat.vertices, complex.samples->size ());
+  std::vector<std::int32_t> new_number (order.size ());
+  complex.cells.resize (order.size ());
+  parallelFor (order.size (), [&] (std::size_t i) {
+    complex.cells[i] = order[i].vertices;
+    new_number[order[i].number] = static_cast<std::int32_t> (i);
   });
-  const std::vector<std::int32_t> new_number = canonicalNumbers (flat.vertices, complex.samples->size ());
-  complex.cells.resize (n);
-  complex.neighbors.resize (n);
-  parallelFor (n, [&] (std::size_t i) {
-    complex.cells[new_number[i]] = flat.vertices[i];
-    for (int k = 0; k < 4; ++k)
-      complex.neighbors[new_number[i]][k] = new_number[flat.neighbors[i][k]];
+  complex.neighbors.resize (order.size ());
+  parallelFor (order.size (), [&] (std::size_t i) {
+    const std::int32_t old = order[i].number;
+    complex.neighbors[i] = permuted (flat.neighbors[old], canonicalPositions (flat.vertices[old]));
+    for (std::int32_t& neighbor : complex.neighbors[i])
+      neighbor = new_number[neighbor];
   });
   const auto first_infinite = std::partition_point (complex.cells.begin (), complex.cells.end (),
                                                     [] (const Cell& cell) { return !isInfinite (cell); });
