@@ -1,79 +1,100 @@
 #include "points/nearest_neighbors.h"
 
 #include "common/parallel.h"
+#include "points/kd_tree.h"
+#include "points/neighbors_of_leaf.h"
 
-#include <flann/flann.hpp>
+#include <limits>
 
 namespace pcl {
 namespace manifold {
 
 namespace {
 
-using Index = flann::KDTreeSingleIndex<flann::L2_Simple<double>>;
+constexpr std::size_t LEAVES_PER_TASK = 128;
+constexpr std::size_t QUERIES_PER_TASK = 4096;
 
-// FLANN takes a non-const pointer but does not write through it.
-flann::Matrix<double>
-asFlann (const Eigen::Matrix3Xd& points, std::size_t begin, std::size_t end)
+template <int D>
+std::vector<pcl::index_t>
+neighborsOfAll (const Eigen::Ref<const Eigen::MatrixXd>& points, std::size_t k)
 {
-  return flann::Matrix<double> (const_cast<double*> (points.data ()) + 3 * begin, end - begin, 3);
+  const KdTree<D> tree (points);
+  std::vector<pcl::index_t> neighbors (tree.size () * k);
+  const auto search = [&] (std::size_t begin, std::size_t end) {
+    NeighborsOfLeaf<D> neighbors_of_leaf (tree, k);
+    for (std::size_t leaf = begin; leaf < end; ++leaf)
+      neighbors_of_leaf.find (tree.leaves () + leaf, neighbors.data ());
+  };
+  parallelRanges (tree.leaves (), search, LEAVES_PER_TASK);
+  return neighbors;
 }
 
-// Neighbours come in the order of FLANN's result set: by distance.
-constexpr std::size_t QUERIES_PER_BATCH = 4096;
-
-flann::SearchParams
-exactSearch ()
+// Depth first, nearer boxes first.
+class NearestPoint
 {
-  flann::SearchParams parameters (flann::FLANN_CHECKS_UNLIMITED, 0.0f, true);
-  parameters.cores = 1;
-  return parameters;
-}
+public:
+  explicit NearestPoint (const KdTree<3>& tree) : tree_ (tree) {}
+
+  pcl::index_t find (const double* query)
+  {
+    best_ = {std::numeric_limits<double>::infinity (), 0};
+    stack_.assign (1, {0.0, 1});
+    while (!stack_.empty ()) {
+      const auto [distance, node] = stack_.back ();
+      stack_.pop_back ();
+      if (distance > best_.first)
+        continue;
+      if (tree_.isLeaf (node)) {
+        look (query, node);
+        continue;
+      }
+      const std::pair<double, std::size_t> left (tree_.toBox (query, 2 * node), 2 * node);
+      const std::pair<double, std::size_t> right (tree_.toBox (query, 2 * node + 1), 2 * node + 1);
+      stack_.push_back (std::max (left, right));
+      stack_.push_back (std::min (left, right));
+    }
+    return best_.second;
+  }
+
+private:
+  void look (const double* query, std::size_t leaf)
+  {
+    double distances[KdTree<3>::LEAF_SIZE];
+    const std::size_t first = tree_.begin (leaf);
+    const std::size_t last = tree_.end (leaf);
+    tree_.squaredDistances (query, first, last, distances);
+    for (std::size_t i = first; i < last; ++i)
+      best_ = std::min (best_, std::make_pair (distances[i - first], tree_.indices ()[i]));
+  }
+
+  const KdTree<3>& tree_;
+  std::pair<double, pcl::index_t> best_;
+  std::vector<std::pair<double, std::size_t>> stack_;
+};
 
 } // namespace
 
-std::vector<std::int32_t>
-kNearestNeighbors (const Eigen::Matrix3Xd& points, int k)
+std::vector<pcl::index_t>
+kNearestNeighbors (const Eigen::Ref<const Eigen::MatrixXd>& points, int k)
 {
-  const auto n = static_cast<std::size_t> (points.cols ());
-  Index index (asFlann (points, 0, n), flann::KDTreeSingleIndexParams (15));
-  index.buildIndex ();
-  std::vector<std::int32_t> neighbors (n * k);
-  const auto search = [&] (std::size_t begin, std::size_t end) {
-    const auto row = static_cast<std::size_t> (k) + 1;
-    std::vector<std::size_t> found ((end - begin) * row);
-    std::vector<double> distances (found.size ());
-    flann::Matrix<std::size_t> found_matrix (found.data (), end - begin, row);
-    flann::Matrix<double> distance_matrix (distances.data (), end - begin, row);
-    index.knnSearch (asFlann (points, begin, end), found_matrix, distance_matrix, row, exactSearch ());
-    for (std::size_t i = begin; i < end; ++i) {
-      std::int32_t* out = neighbors.data () + i * k;
-      int count = 0;
-      for (std::size_t j = 0; j < row && count < k; ++j)
-        if (found[(i - begin) * row + j] != i)
-          out[count++] = static_cast<std::int32_t> (found[(i - begin) * row + j]);
-    }
-  };
-  parallelRanges (n, search, QUERIES_PER_BATCH);
-  return neighbors;
+  if (points.cols () == 0 || k < 1)
+    return {};
+  return points.rows () == 3 ? neighborsOfAll<3> (points, static_cast<std::size_t> (k))
+                             : neighborsOfAll<Eigen::Dynamic> (points, static_cast<std::size_t> (k));
 }
 
 std::vector<std::int32_t>
 nearestPoints (const Eigen::Matrix3Xd& points, const Eigen::Matrix3Xd& queries)
 {
-  const auto n = static_cast<std::size_t> (points.cols ());
-  Index index (asFlann (points, 0, n), flann::KDTreeSingleIndexParams (15));
-  index.buildIndex ();
+  const KdTree<3> tree (points);
   std::vector<std::int32_t> nearest (static_cast<std::size_t> (queries.cols ()));
   const auto search = [&] (std::size_t begin, std::size_t end) {
-    std::vector<std::size_t> found (end - begin);
-    std::vector<double> distances (found.size ());
-    flann::Matrix<std::size_t> found_matrix (found.data (), end - begin, 1);
-    flann::Matrix<double> distance_matrix (distances.data (), end - begin, 1);
-    index.knnSearch (asFlann (queries, begin, end), found_matrix, distance_matrix, 1, exactSearch ());
+    NearestPoint nearest_point (tree);
     for (std::size_t i = begin; i < end; ++i)
-      nearest[i] = static_cast<std::int32_t> (found[i - begin]);
+      nearest[i] =
+        static_cast<std::int32_t> (nearest_point.find (queries.col (static_cast<Eigen::Index> (i)).data ()));
   };
-  parallelRanges (nearest.size (), search, QUERIES_PER_BATCH);
+  parallelRanges (nearest.size (), search, QUERIES_PER_TASK);
   return nearest;
 }
 

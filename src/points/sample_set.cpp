@@ -39,7 +39,7 @@ medianSpacing (const Eigen::Matrix3Xd& points)
 {
   if (points.cols () < 2)
     return std::numeric_limits<double>::infinity ();
-  const std::vector<std::int32_t> nearest = kNearestNeighbors (points, 1);
+  const std::vector<pcl::index_t> nearest = kNearestNeighbors (points, 1);
   std::vector<double> distances;
   const Eigen::Index step = std::max<Eigen::Index> (1, points.cols () / 1000);
   for (Eigen::Index i = 0; i < points.cols (); i += step)

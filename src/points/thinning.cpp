@@ -61,15 +61,15 @@ thinByNeighbors (const Eigen::Matrix3Xd& points, int k)
   if (n == 0)
     return kept;
   k = static_cast<int> (std::min<std::size_t> (k, n - 1));
-  const std::vector<std::int32_t> neighbors = kNearestNeighbors (points, k);
+  const std::vector<pcl::index_t> neighbors = kNearestNeighbors (points, k);
   std::vector<std::uint8_t> excluded (n, 0);
   for (const std::int32_t point : randomOrder (n)) {
-    const std::int32_t* row = neighbors.data () + static_cast<std::size_t> (point) * k;
+    const pcl::index_t* row = neighbors.data () + static_cast<std::size_t> (point) * k;
     // A kept point has marked its own neighbours; that this point has a kept one among its own is seen here.
-    if (excluded[point] || std::any_of (row, row + k, [&kept] (std::int32_t q) { return kept[q] != 0; }))
+    if (excluded[point] || std::any_of (row, row + k, [&kept] (pcl::index_t q) { return kept[q] != 0; }))
       continue;
     kept[point] = 1;
-    std::for_each (row, row + k, [&excluded] (std::int32_t q) { excluded[q] = 1; });
+    std::for_each (row, row + k, [&excluded] (pcl::index_t q) { excluded[q] = 1; });
   }
   return kept;
 }
