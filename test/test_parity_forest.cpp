@@ -1,7 +1,7 @@
 // Disjoint sets with two colours against a list of sets, and the spanning forest against Kruskal's algorithm.
 #include "oracle_random.h"
 
-#include "extraction/parity_forest.h"
+#include "common/parity_forest.h"
 #include "extraction/spanning_forest.h"
 
 #include <gtest/gtest.h>

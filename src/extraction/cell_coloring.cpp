@@ -1,7 +1,7 @@
 #include "extraction/cell_coloring.h"
 
 #include "common/parallel.h"
-#include "extraction/parity_forest.h"
+#include "common/parity_forest.h"
 #include "extraction/spanning_forest.h"
 #include "voronoi/voronoi_cell.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "common/parallel.h"
-#include "extraction/parity_forest.h"
+#include "common/parity_forest.h"
 
 #include <algorithm>
 #include <atomic>
