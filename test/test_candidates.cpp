@@ -2,6 +2,7 @@
 #include "oracle_surface.h"
 
 #include "extraction/candidates.h"
+#include "extraction/surface_candidates.h"
 #include "voronoi/cocone.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,6 @@ using pcl::manifold::coconeNeighbors;
 using pcl::manifold::collectCandidates;
 using pcl::manifold::DelaunayComplex;
 using pcl::manifold::Facet;
-using pcl::manifold::isCandidate;
 using pcl::manifold::Role;
 using pcl::manifold::VoronoiCell;
 using Simplex = std::set<std::int32_t>;
@@ -93,7 +93,9 @@ TEST (Candidates, OfTheExtractionAreThoseOfSurfaceSamples)
       for (const std::int32_t p : facetOf (*prepared.complex, facet.cell, facet.facet))
         expected = expected || (prepared.roles[static_cast<std::size_t> (p)] == Role::SURFACE &&
                                 meetsDualEdge (prepared, p, facet));
-      ASSERT_EQ (isCandidate (prepared.dimensions, prepared.roles, facet.cell, facet.facet), expected)
+      ASSERT_EQ (pcl::manifold::SurfaceCandidates (prepared.dimensions, prepared.roles)
+                   .contains (facet.cell, facet.facet),
+                 expected)
         << kind;
     }
   });

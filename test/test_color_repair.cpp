@@ -45,7 +45,7 @@ TEST (ColorRepair, MakesAManifoldOfRandomColors)
       SCOPED_TRACE (testing::Message () << "kind " << kind << ", round " << round << "\n" << cloud);
       std::vector<std::uint8_t> colors = randomColors (*prepared.complex, random);
       before += topologyOf (closedSurface (*prepared.complex, colors)).isManifold () ? 0 : 1;
-      repairColors (prepared.dimensions, prepared.roles, true, colors);
+      repairColors ({prepared.dimensions, prepared.roles}, true, colors);
       expectClosedManifold (*prepared.complex, colors);
       insertSamples (prepared.dimensions, prepared.roles, colors);
       expectClosedManifold (*prepared.complex, colors);
@@ -64,9 +64,9 @@ TEST (ColorRepair, LeavesAManifoldAlone)
       return;
     Random random (static_cast<std::uint64_t> (kind));
     std::vector<std::uint8_t> colors = randomColors (*prepared.complex, random);
-    repairColors (prepared.dimensions, prepared.roles, true, colors);
+    repairColors ({prepared.dimensions, prepared.roles}, true, colors);
     const std::vector<std::uint8_t> repaired = colors;
-    ASSERT_EQ (repairColors (prepared.dimensions, prepared.roles, true, colors), 0u);
+    ASSERT_EQ (repairColors ({prepared.dimensions, prepared.roles}, true, colors), 0u);
     ASSERT_EQ (colors, repaired);
   });
 }

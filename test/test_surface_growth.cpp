@@ -127,7 +127,7 @@ TEST (SurfaceGrowth, KeepsTheManifold)
 {
   forEachPrepared (60, [] (const Prepared& prepared, Random& random) {
     FacetSet surface = randomManifold (*prepared.complex, random);
-    growSurface (prepared.dimensions, prepared.roles, surface);
+    growSurface ({prepared.dimensions, prepared.roles}, surface);
     ASSERT_TRUE (topologyOf (surface).isManifold ());
     const SurfaceTopology before = topologyOf (surface);
     fillSmallLoops (prepared.roles, surface);
@@ -166,8 +166,8 @@ TEST (SurfaceOpening, GivesAManifoldOfRepairedColors)
     if (random.coin ()) // nor need the outside be one
       for (std::uint8_t& color : colors)
         color ^= random.index (8) == 0 ? 1 : 0;
-    pcl::manifold::repairColors (prepared.dimensions, prepared.roles, false, colors);
-    const FacetSet surface = openSurface (prepared.dimensions, prepared.roles, colors);
+    pcl::manifold::repairColors ({prepared.dimensions, prepared.roles}, false, colors);
+    const FacetSet surface = openSurface ({prepared.dimensions, prepared.roles}, colors);
     ASSERT_TRUE (topologyOf (surface).isManifold ());
     for (const Facet& facet : finiteFacets (*prepared.complex))
       ASSERT_TRUE (!surface.contains (facet.cell, facet.facet) ||

@@ -1,7 +1,6 @@
 #include "extraction/candidates.h"
 
 #include "extraction/facet_set.h"
-#include "extraction/fan.h"
 #include "voronoi/cocone.h"
 
 #include <algorithm>
@@ -45,35 +44,6 @@ collectAt (const SampleDimensions& dimensions, std::int32_t sample, int k, Simpl
 }
 
 } // namespace
-
-bool
-isCandidate (const SampleDimensions& dimensions, const std::vector<Role>& roles, std::int32_t cell, int facet)
-{
-  const DelaunayComplex& complex = *dimensions.complex;
-  const std::array<std::int32_t, 3> triangle = facetOf (complex, cell, facet);
-  if (std::find (triangle.begin (), triangle.end (), DelaunayComplex::INFINITE_VERTEX) != triangle.end ())
-    return false;
-  const std::int32_t neighbor = complex.neighbors[cell][facet];
-  return std::any_of (triangle.begin (), triangle.end (), [&] (std::int32_t sample) {
-    return roles[sample] == Role::SURFACE &&
-           coconeMeetsEdge (VoronoiCell (complex, sample), dimensions.normals.col (sample), cell, neighbor);
-  });
-}
-
-bool
-candidatesAreManifold (const SampleDimensions& dimensions, const std::vector<Role>& roles,
-                       const std::vector<std::uint8_t>& colors, std::int32_t sample)
-{
-  const DelaunayComplex& complex = *dimensions.complex;
-  Fan fan;
-  VoronoiCell (complex, sample).forEachEdge ([&] (std::int32_t a, std::int32_t b, int facet) {
-    if (colors[a] == colors[b] || !isCandidate (dimensions, roles, a, facet))
-      return;
-    const std::array<std::int32_t, 2> side = oppositeSide (complex, a, facet, sample);
-    fan.add (side[0], side[1]);
-  });
-  return fan.isManifold ();
-}
 
 SimplicialComplex
 collectCandidates (const SampleDimensions& dimensions)

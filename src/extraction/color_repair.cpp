@@ -1,7 +1,6 @@
 #include "extraction/color_repair.h"
 
 #include "common/parallel.h"
-#include "extraction/candidates.h"
 #include "extraction/cell_star.h"
 #include "extraction/facet_set.h"
 #include "extraction/fan.h"
@@ -29,10 +28,10 @@ isOnSurface (const DelaunayComplex& complex, std::int32_t sample, const std::vec
 class Repair
 {
 public:
-  Repair (const SampleDimensions& dimensions, const std::vector<Role>& roles, bool closed,
-          std::vector<std::uint8_t>& colors)
-    : dimensions_ (dimensions), complex_ (*dimensions.complex), roles_ (roles), closed_ (closed),
-      colors_ (colors), changes_ (roles.size (), 0), queued_ (roles.size (), 0), star_ (complex_)
+  Repair (const SurfaceCandidates& candidates, bool closed, std::vector<std::uint8_t>& colors)
+    : candidates_ (candidates), complex_ (candidates.complex ()), roles_ (candidates.roles ()),
+      closed_ (closed), colors_ (colors), changes_ (roles_.size (), 0), queued_ (roles_.size (), 0),
+      star_ (complex_)
   {}
 
   std::size_t run ()
@@ -53,7 +52,7 @@ private:
     if (!closed_ && roles_[sample] != Role::SURFACE && roles_[sample] != Role::RIM)
       return false;
     return crossesItself (complex_, colors_, sample) &&
-           (closed_ || !candidatesAreManifold (dimensions_, roles_, colors_, sample));
+           (closed_ || !candidates_.areManifoldAt (sample, colors_));
   }
 
   void findBad ()
@@ -102,7 +101,7 @@ private:
           enqueue (vertex);
   }
 
-  const SampleDimensions& dimensions_;
+  const SurfaceCandidates& candidates_;
   const DelaunayComplex& complex_;
   const std::vector<Role>& roles_;
   bool closed_;
@@ -130,10 +129,9 @@ crossesItself (const DelaunayComplex& complex, const std::vector<std::uint8_t>& 
 }
 
 std::size_t
-repairColors (const SampleDimensions& dimensions, const std::vector<Role>& roles, bool closed,
-              std::vector<std::uint8_t>& colors)
+repairColors (const SurfaceCandidates& candidates, bool closed, std::vector<std::uint8_t>& colors)
 {
-  return Repair (dimensions, roles, closed, colors).run ();
+  return Repair (candidates, closed, colors).run ();
 }
 
 std::size_t

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "extraction/sample_roles.h"
+#include "extraction/surface_candidates.h"
 
 #include <cstdint>
 #include <vector>
@@ -22,7 +22,7 @@ bool crossesItself (const DelaunayComplex& complex, const std::vector<std::uint8
  * triangles among the surface's are a manifold already, are left alone: the surface in free space, which is
  * not kept, may cross itself. If true, the infinite cells must have colour 0 and keep it.
  * \return the number of samples that the surface was taken from */
-std::size_t repairColors (const SampleDimensions& dimensions, const std::vector<Role>& roles, bool closed,
+std::size_t repairColors (const SurfaceCandidates& candidates, bool closed,
                           std::vector<std::uint8_t>& colors);
 
 /** Brings samples of surfaces, around which all cells have one colour, onto the surface: a cell between the

@@ -69,7 +69,7 @@ eraseSkins (const std::vector<std::uint8_t>& solid, bool watertight, FacetSet& s
 } // namespace
 
 SimplicialComplex
-extractShape (const SampleDimensions& dimensions, bool watertight, StageLog& log)
+extractShape (const SampleDimensions& dimensions, bool watertight, StageLog& log, const FacetFlags* facets)
 {
   const DelaunayComplex& complex = *dimensions.complex;
   if (complex.affine_dimension < 2)
@@ -78,6 +78,7 @@ extractShape (const SampleDimensions& dimensions, bool watertight, StageLog& log
   if (!log.begin ("color cells", 0.7f))
     return {};
   const std::vector<Role> roles = sampleRoles (dimensions);
+  const SurfaceCandidates candidates (dimensions, roles, facets);
   const SolidCells solid_cells = findSolidCells (dimensions, roles);
   const CellColors coloring = colorCells (dimensions, roles, solid_cells.certain, watertight);
 
@@ -85,15 +86,15 @@ extractShape (const SampleDimensions& dimensions, bool watertight, StageLog& log
 
   if (!log.begin ("repair", 0.8f))
     return {};
-  repairColors (dimensions, roles, watertight, colors);
+  repairColors (candidates, watertight, colors);
   insertSamples (dimensions, roles, colors);
 
   if (!log.begin ("surfaces", 0.86f))
     return {};
-  FacetSet surface = watertight ? closedSurface (complex, colors) : openSurface (dimensions, roles, colors);
+  FacetSet surface = watertight ? closedSurface (complex, colors) : openSurface (candidates, colors);
   if (!watertight) {
-    mendOneSided (dimensions, roles, solid_cells.certain, coloring.colors, coloring.torn, surface);
-    growSurface (dimensions, roles, surface);
+    mendOneSided (candidates, solid_cells.certain, coloring.colors, coloring.torn, surface);
+    growSurface (candidates, surface);
     fillSmallLoops (roles, surface);
   }
 

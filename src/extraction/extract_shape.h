@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/manifold/detail/fixed_point_complex.h>
 #include <pcl/manifold/detail/sample_dimensions.h>
 #include <pcl/manifold/detail/stage_log.h>
 #include <pcl/manifold/simplicial_complex.h>
@@ -9,9 +10,11 @@ namespace manifold {
 
 /** Manifold extraction of COCONESHAPE, for curves, surfaces and solids, from the published dimensions.
  * \param[in] watertight closes every surface
+ * \param[in] facets the candidates for surfaces of another method; null for those of COCONESHAPE
  * \param[in,out] log told of each stage; where it says that the computation was cancelled, the result is
  * empty \return indices are those of samples; triangles are oriented consistently where that is possible */
-SimplicialComplex extractShape (const SampleDimensions& dimensions, bool watertight, StageLog& log);
+SimplicialComplex extractShape (const SampleDimensions& dimensions, bool watertight, StageLog& log,
+                                const FacetFlags* facets = nullptr);
 
 } // namespace manifold
 } // namespace pcl

@@ -1,7 +1,6 @@
 #include "extraction/one_sided.h"
 
 #include "complex/disjoint_sets.h"
-#include "extraction/candidates.h"
 #include "extraction/cell_coloring.h"
 #include "extraction/color_repair.h"
 #include "extraction/surface_opening.h"
@@ -28,13 +27,13 @@ constexpr int NEIGHBORS = 10;
 // Flags the samples of the triangles across which the colour changes in free space and which are no
 // candidates.
 std::vector<std::uint8_t>
-findSeams (const SampleDimensions& dimensions, const std::vector<Role>& roles, const std::vector<Facet>& torn)
+findSeams (const SurfaceCandidates& candidates, const std::vector<Facet>& torn)
 {
-  const DelaunayComplex& complex = *dimensions.complex;
-  std::vector<std::uint8_t> samples (roles.size (), 0);
+  const DelaunayComplex& complex = candidates.complex ();
+  std::vector<std::uint8_t> samples (candidates.roles ().size (), 0);
   for (const Facet& facet : torn)
     if (!complex.isInfinite (complex.neighbors[facet.cell][facet.facet]) &&
-        !isCandidate (dimensions, roles, facet.cell, facet.facet))
+        !candidates.contains (facet.cell, facet.facet))
       for (const std::int32_t vertex : facetOf (complex, facet.cell, facet.facet))
         samples[vertex] = 1;
   return samples;
@@ -107,22 +106,22 @@ facetsAt (const FacetSet& surface, std::int32_t sample)
 } // namespace
 
 std::size_t
-mendOneSided (const SampleDimensions& dimensions, const std::vector<Role>& roles,
-              const std::vector<std::uint8_t>& solid, const std::vector<std::uint8_t>& colors,
-              const std::vector<Facet>& torn, FacetSet& surface)
+mendOneSided (const SurfaceCandidates& candidates, const std::vector<std::uint8_t>& solid,
+              const std::vector<std::uint8_t>& colors, const std::vector<Facet>& torn, FacetSet& surface)
 {
-  const DelaunayComplex& complex = *dimensions.complex;
-  std::vector<std::uint8_t> tear = oneSidedSamples (findSeams (dimensions, roles, torn), surface);
+  const DelaunayComplex& complex = candidates.complex ();
+  std::vector<std::uint8_t> tear = oneSidedSamples (findSeams (candidates, torn), surface);
   if (std::find (tear.begin (), tear.end (), 1) == tear.end ())
     return 0;
   for (std::size_t i = 0; i < tear.size (); ++i)
     tear[i] = tear[i] && crossesItself (complex, colors, static_cast<std::int32_t> (i)) ? 1 : 0;
 
   const std::vector<std::uint8_t> avoided = cellsAt (complex, grown (complex, tear, AVOIDED_STEPS));
-  std::vector<std::uint8_t> other_colors = colorCells (dimensions, roles, solid, false, avoided).colors;
-  repairColors (dimensions, roles, false, other_colors);
-  insertSamples (dimensions, roles, other_colors);
-  const FacetSet other = openSurface (dimensions, roles, other_colors);
+  std::vector<std::uint8_t> other_colors =
+    colorCells (candidates.dimensions (), candidates.roles (), solid, false, avoided).colors;
+  repairColors (candidates, false, other_colors);
+  insertSamples (candidates.dimensions (), candidates.roles (), other_colors);
+  const FacetSet other = openSurface (candidates, other_colors);
 
   const std::vector<std::uint8_t> replaced = grown (complex, tear, REPLACED_STEPS);
   std::vector<std::int32_t> changed;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "extraction/facet_set.h"
-#include "extraction/sample_roles.h"
+#include "extraction/surface_candidates.h"
 
 #include <cstdint>
 #include <vector>
@@ -15,9 +15,9 @@ namespace manifold {
  * surface around the tear is taken from there. \param[in] solid the cells that are certain to be inside of a
  * solid, a flag per cell \param[in] colors as they were before any repair, and torn, the facets where they
  * change in free space \return the number of samples at which the surface was replaced */
-std::size_t mendOneSided (const SampleDimensions& dimensions, const std::vector<Role>& roles,
-                          const std::vector<std::uint8_t>& solid, const std::vector<std::uint8_t>& colors,
-                          const std::vector<Facet>& torn, FacetSet& surface);
+std::size_t mendOneSided (const SurfaceCandidates& candidates, const std::vector<std::uint8_t>& solid,
+                          const std::vector<std::uint8_t>& colors, const std::vector<Facet>& torn,
+                          FacetSet& surface);
 
 } // namespace manifold
 } // namespace pcl

@@ -4,6 +4,7 @@
 #include "common/parallel.h"
 #include "extraction/candidates.h"
 #include "extraction/extract_shape.h"
+#include "extraction/to_input.h"
 
 #include <utility>
 
@@ -11,24 +12,6 @@ namespace pcl {
 namespace manifold {
 
 namespace {
-
-// From indices of samples to those of the user's cloud.
-template <typename Simplex>
-void
-toInput (const SampleSet& samples, std::vector<Simplex>& simplices)
-{
-  for (Simplex& simplex : simplices)
-    for (pcl::index_t& vertex : simplex)
-      vertex = samples.input_index[vertex];
-}
-
-void
-toInput (const SampleSet& samples, SimplicialComplex& shape)
-{
-  toInput (samples, shape.edges);
-  toInput (samples, shape.triangles);
-  toInput (samples, shape.tetrahedra);
-}
 
 Status
 reconstruct (const Eigen::Matrix3Xd& points, const pcl::Indices& indices, double resolution,

@@ -119,7 +119,7 @@ findSolids (const SampleDimensions& dimensions, const std::vector<Role>& roles, 
         for (const std::int32_t inside : region)
           solid[inside] = 1;
     }
-  repairColors (dimensions, roles, true, solid);
+  repairColors ({dimensions, roles}, true, solid);
   return solid;
 }
 

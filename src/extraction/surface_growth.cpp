@@ -1,7 +1,6 @@
 #include "extraction/surface_growth.h"
 
 #include "complex/disjoint_sets.h"
-#include "extraction/candidates.h"
 #include "extraction/facet_fitting.h"
 #include "extraction/surface_opening.h"
 
@@ -23,9 +22,9 @@ constexpr std::size_t MAX_FILLED_CRACK = 60;
 
 // The surface samples without a triangle that are together with many others, ascending.
 std::vector<std::int32_t>
-uncoveredClusters (const SampleDimensions& dimensions, const std::vector<Role>& roles,
-                   const FacetSet& surface)
+uncoveredClusters (const SurfaceCandidates& candidates, const FacetSet& surface)
 {
+  const std::vector<Role>& roles = candidates.roles ();
   const DelaunayComplex& complex = surface.complex ();
   const std::vector<std::uint8_t> coverage = surface.coverage ();
   std::vector<std::int32_t> uncovered;
@@ -35,7 +34,7 @@ uncoveredClusters (const SampleDimensions& dimensions, const std::vector<Role>& 
   DisjointSets clusters (roles.size ());
   for (const std::int32_t sample : uncovered)
     VoronoiCell (complex, sample).forEachEdge ([&] (std::int32_t cell, std::int32_t, int facet) {
-      if (!isCandidate (dimensions, roles, cell, facet))
+      if (!candidates.contains (cell, facet))
         return;
       for (const std::int32_t vertex : oppositeSide (complex, cell, facet, sample))
         if (std::binary_search (uncovered.begin (), uncovered.end (), vertex))
@@ -68,9 +67,9 @@ samplesOf (const DelaunayComplex& complex, const std::vector<Facet>& facets)
 } // namespace
 
 void
-growSurface (const SampleDimensions& dimensions, const std::vector<Role>& roles, FacetSet& surface)
+growSurface (const SurfaceCandidates& candidates, FacetSet& surface)
 {
-  const std::vector<std::int32_t> samples = uncoveredClusters (dimensions, roles, surface);
+  const std::vector<std::int32_t> samples = uncoveredClusters (candidates, surface);
   if (samples.empty ())
     return;
   // Where fans did not meet all but one were erased: there is room for others then.
@@ -79,15 +78,15 @@ growSurface (const SampleDimensions& dimensions, const std::vector<Role>& roles,
     const std::vector<std::uint8_t> coverage = surface.coverage ();
     if (coverage == before)
       break;
-    std::vector<Facet> candidates;
+    std::vector<Facet> fitting;
     for (const std::int32_t sample : samples)
       if (coverage[sample] != FacetSet::COVERED)
         VoronoiCell (surface.complex (), sample)
           .forEachEdge ([&] (std::int32_t cell, std::int32_t, int facet) {
-            if (!surface.contains (cell, facet) && isCandidate (dimensions, roles, cell, facet))
-              candidates.push_back ({cell, facet});
+            if (!surface.contains (cell, facet) && candidates.contains (cell, facet))
+              fitting.push_back ({cell, facet});
           });
-    insertFitting (std::move (candidates), surface);
+    insertFitting (std::move (fitting), surface);
     before = coverage;
   }
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "extraction/facet_set.h"
-#include "extraction/sample_roles.h"
+#include "extraction/surface_candidates.h"
 
 #include <vector>
 
@@ -12,7 +12,7 @@ namespace manifold {
  * that have no triangle yet, where more than a few of them are together: smallest circumcircle first, never
  * so that a triangle breaks the manifold or folds back over another. Afterwards the surface is manifold at
  * every sample again. */
-void growSurface (const SampleDimensions& dimensions, const std::vector<Role>& roles, FacetSet& surface);
+void growSurface (const SurfaceCandidates& candidates, FacetSet& surface);
 
 /** Fills the loops of a surface that have a few edges only with Delaunay triangles between their samples,
  * likewise. */

@@ -1,7 +1,6 @@
 #include "extraction/surface_opening.h"
 
 #include "common/parallel.h"
-#include "extraction/candidates.h"
 #include "extraction/cell_star.h"
 #include "extraction/color_changes.h"
 #include "extraction/patches.h"
@@ -25,15 +24,15 @@ constexpr double MAX_GAP = 3.0;
 class Opening
 {
 public:
-  Opening (const SampleDimensions& dimensions, const std::vector<Role>& roles,
-           const std::vector<std::uint8_t>& colors)
-    : complex_ (*dimensions.complex), colors_ (colors), surface_ (complex_)
+  Opening (const SurfaceCandidates& candidates, const std::vector<std::uint8_t>& colors)
+    : complex_ (candidates.complex ()), colors_ (colors), surface_ (complex_)
   {
+    const std::vector<Role>& roles = candidates.roles ();
     const std::vector<Facet> changes = colorChanges (complex_, colors);
     std::vector<std::uint8_t> candidate (changes.size ());
     parallelFor (changes.size (), [&] (std::size_t i) {
-      candidate[i] = !hasInfiniteVertex (complex_, changes[i]) &&
-                     isCandidate (dimensions, roles, changes[i].cell, changes[i].facet);
+      candidate[i] =
+        !hasInfiniteVertex (complex_, changes[i]) && candidates.contains (changes[i].cell, changes[i].facet);
     });
     for (std::size_t i = 0; i < changes.size (); ++i)
       if (candidate[i]) {
@@ -169,10 +168,9 @@ closedSurface (const DelaunayComplex& complex, const std::vector<std::uint8_t>& 
 }
 
 FacetSet
-openSurface (const SampleDimensions& dimensions, const std::vector<Role>& roles,
-             const std::vector<std::uint8_t>& colors)
+openSurface (const SurfaceCandidates& candidates, const std::vector<std::uint8_t>& colors)
 {
-  return Opening (dimensions, roles, colors).run ();
+  return Opening (candidates, colors).run ();
 }
 
 } // namespace manifold

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "extraction/facet_set.h"
-#include "extraction/sample_roles.h"
+#include "extraction/surface_candidates.h"
 
 #include <cstdint>
 #include <vector>
@@ -18,8 +18,7 @@ FacetSet closedSurface (const DelaunayComplex& complex, const std::vector<std::u
  *
  * Triangles that are no candidates span what was not sampled: the base of a scan that nobody saw, or free
  * space where an open sheet has no other side. */
-FacetSet openSurface (const SampleDimensions& dimensions, const std::vector<Role>& roles,
-                      const std::vector<std::uint8_t>& colors);
+FacetSet openSurface (const SurfaceCandidates& candidates, const std::vector<std::uint8_t>& colors);
 
 /** Erases triangles at the given samples until the set is manifold there and stays so at their neighbours: at
  * each sample the largest fan is kept, and of more than two triangles at an edge those with the smallest

@@ -2,25 +2,13 @@
 
 #include "common/guarded.h"
 #include "common/parallel.h"
+#include "delaunay/sampled_complex.h"
 #include "voronoi/dimension.h"
-
-#include <algorithm>
-#include <thread>
 
 namespace pcl {
 namespace manifold {
 
 namespace {
-
-// Whether a triangulation that the user handed in is one of these samples.
-bool
-isOf (const DelaunayComplex& complex, const SampleSet& samples)
-{
-  return complex.samples && complex.samples->size () == samples.size () &&
-         complex.samples->points == samples.points && complex.samples->origin == samples.origin &&
-         complex.samples->scale == samples.scale && complex.samples->input_index == samples.input_index &&
-         complex.samples->sample_of == samples.sample_of;
-}
 
 Status
 detect (const Eigen::Matrix3Xd& points, const pcl::Indices& indices, double resolution,
@@ -28,10 +16,8 @@ detect (const Eigen::Matrix3Xd& points, const pcl::Indices& indices, double reso
 {
   if (!(parameters.rho > 0.0 && parameters.rho <= 1.0))
     return Status::PARAMETER_OUT_OF_RANGE;
-  if (!log.begin ("sample set", 0.0f))
-    return Status::CANCELLED;
-  auto samples = std::make_shared<SampleSet> ();
-  const Status status = makeSampleSet (points, indices, parameters.thinning, resolution, *samples);
+  std::shared_ptr<const SampleSet> samples;
+  Status status = makeSamples (points, indices, resolution, parameters.thinning, log, samples);
   if (status != Status::OK)
     return status;
 
@@ -41,12 +27,10 @@ detect (const Eigen::Matrix3Xd& points, const pcl::Indices& indices, double reso
     return log.begin ("", 0.7f) ? Status::OK : Status::CANCELLED;
   }
 
-  if (!log.begin ("delaunay triangulation", 0.1f))
-    return Status::CANCELLED;
-  std::shared_ptr<const DelaunayComplex> complex = parameters.complex;
-  if (!complex || !isOf (*complex, *samples))
-    complex = computeDelaunayComplex (samples, parameters.threads == 0 ? std::thread::hardware_concurrency ()
-                                                                       : parameters.threads);
+  std::shared_ptr<const DelaunayComplex> complex;
+  status = triangulateSamples (samples, parameters.complex, parameters.threads, log, complex);
+  if (status != Status::OK)
+    return status;
 
   if (!log.begin ("dimension", 0.6f))
     return Status::CANCELLED;

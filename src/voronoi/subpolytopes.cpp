@@ -53,24 +53,6 @@ normalizedOr (const Eigen::Vector3d& vector, const Eigen::Vector3d& fallback)
   return norm > 0.0 && std::isfinite (norm) ? Eigen::Vector3d (vector / norm) : fallback;
 }
 
-// The pole of V3, the whole Voronoi cell.
-void
-computeNormal (const VoronoiCell& cell, Subpolytopes& result)
-{
-  DirectionAverage unbounded;
-  Eigen::Vector3d farthest = Eigen::Vector3d::Zero ();
-  for (const std::int32_t vertex : cell) {
-    const Eigen::Vector3d v = cell.vertex (vertex);
-    if (cell.isInfinite (vertex))
-      unbounded.add (v);
-    else if (v.squaredNorm () > farthest.squaredNorm ())
-      farthest = v;
-  }
-  result.normal =
-    unbounded.empty () ? normalizedOr (farthest, Eigen::Vector3d::UnitX ()) : unbounded.direction ();
-  result.heights[2] = unbounded.empty () ? farthest.norm () : INFINITE_HEIGHT;
-}
-
 // Where the Voronoi edge from the vertex a, which is on the positive side of the plane through p orthogonal
 // to the normal, to the vertex b, which is not, crosses the plane; p if it does not in any finite place. The
 // height of both is given.
@@ -170,11 +152,30 @@ computeTangent (const VoronoiCell& cell, Subpolytopes& result)
 
 } // namespace
 
+Pole
+computePole (const VoronoiCell& cell)
+{
+  DirectionAverage unbounded;
+  Eigen::Vector3d farthest = Eigen::Vector3d::Zero ();
+  for (const std::int32_t vertex : cell) {
+    const Eigen::Vector3d v = cell.vertex (vertex);
+    if (cell.isInfinite (vertex))
+      unbounded.add (v);
+    else if (v.squaredNorm () > farthest.squaredNorm ())
+      farthest = v;
+  }
+  if (unbounded.empty ())
+    return {normalizedOr (farthest, Eigen::Vector3d::UnitX ()), farthest.norm ()};
+  return {unbounded.direction (), INFINITE_HEIGHT};
+}
+
 Subpolytopes
 computeSubpolytopes (const DelaunayComplex& complex, const VoronoiCell& cell)
 {
   Subpolytopes result;
-  computeNormal (cell, result);
+  const Pole pole = computePole (cell);
+  result.normal = pole.direction;
+  result.heights[2] = pole.height;
   computeBinormal (complex, cell, result);
   computeTangent (cell, result);
   return result;

@@ -8,6 +8,17 @@
 namespace pcl {
 namespace manifold {
 
+/** The vertex of a Voronoi subpolytope farthest from its sample. */
+struct Pole
+{
+  Eigen::Vector3d direction; ///< unit vector
+  double height;             ///< distance from the sample; infinite where the subpolytope is unbounded
+};
+
+/** The pole of the whole Voronoi cell V3; of an unbounded one the average direction of its unbounded edges.
+ * Linear in the number of cells at the sample. */
+Pole computePole (const VoronoiCell& cell);
+
 /** The Voronoi subpolytopes V3, V2, V1 of one sample (Definition 2.2 of Dey, Giesen, Goswami and Zhao), each
  * as the direction of its pole and its height. */
 struct Subpolytopes
