@@ -1,16 +1,10 @@
 #include "bare_triangulation.h"
-
-#include "generate/closed_surfaces.h"
-#include "generate/implicit.h"
-#include "generate/sampling.h"
-
-#include <pcl/manifold/detail/reconstruct_shape.h>
+#include "shape_run.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
-#include <thread>
 #include <vector>
 
 // Prints how long DIMENSION and COCONESHAPE take as multiples of the bare triangulation of the same points in
@@ -23,54 +17,11 @@
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 double
 median (std::vector<double> values)
 {
   std::sort (values.begin (), values.end ());
   return values[values.size () / 2];
-}
-
-Eigen::Matrix3Xd
-samplePoints (const std::string& name, std::size_t count, double noise)
-{
-  const generate::Shape shape = name == "sphere"  ? generate::sphere ()
-                                : name == "torus" ? generate::torus ()
-                                                  : generate::genus3 ();
-  const double spacing = generate::spacingFor (shape, count);
-  generate::LabelledCloud cloud = generate::blueNoise (shape, spacing, 1);
-  if (noise > 0.0)
-    generate::addNoise (cloud, noise * spacing, 2);
-  Eigen::Matrix3Xd points (3, static_cast<Eigen::Index> (cloud.size ()));
-  for (std::size_t i = 0; i < cloud.size (); ++i)
-    points.col (i) = cloud.points[i].cast<float> ().cast<double> (); // as PCL's points are
-  return points;
-}
-
-struct Run
-{
-  double seconds = 0.0;
-  std::vector<pcl::manifold::Stage> stages;
-};
-
-Run
-runShape (const Eigen::Matrix3Xd& points, unsigned int threads)
-{
-  pcl::manifold::ShapeParameters parameters;
-  parameters.dimension.threads = threads;
-  pcl::manifold::StageLog log;
-  std::shared_ptr<const pcl::manifold::SampleDimensions> dimensions;
-  pcl::SimplicialComplex shape;
-  const auto start = Clock::now ();
-  const auto status = pcl::manifold::reconstructShape (points, {}, pcl::manifold::FLOAT_RESOLUTION,
-                                                       parameters, log, dimensions, shape);
-  Run run;
-  run.seconds = std::chrono::duration<double> (Clock::now () - start).count ();
-  run.stages = log.stages ();
-  if (status != pcl::manifold::Status::OK)
-    std::printf ("failed: %s\n", pcl::manifold::toString (status));
-  return run;
 }
 
 } // namespace
@@ -79,7 +30,7 @@ int
 main (int argc, char** argv)
 {
   const std::string shape = argc > 1 ? argv[1] : "genus3";
-  if (shape != "sphere" && shape != "torus" && shape != "genus3") {
+  if (!benchmark::isShape (shape)) {
     std::printf (
       "usage: benchmark_cocone_shape [sphere|torus|genus3] [POINTS] [NOISE in spacings] [THREADS] [RUNS]\n");
     return shape == "-h" ? 0 : 2;
@@ -89,7 +40,7 @@ main (int argc, char** argv)
   const auto threads = static_cast<unsigned int> (argc > 4 ? std::atoi (argv[4]) : 2);
   const int runs = argc > 5 ? std::atoi (argv[5]) : 3;
 
-  const Eigen::Matrix3Xd points = samplePoints (shape, count, noise);
+  const Eigen::Matrix3Xd points = benchmark::samplePoints (shape, count, noise);
   std::vector<double> sequential;
   std::vector<double> parallel;
   std::vector<double> dimension;
@@ -101,18 +52,15 @@ main (int argc, char** argv)
     sequential.push_back (benchmark::bareTriangulation (points, false, cells));
     parallel.push_back (threads > 1 ? benchmark::bareTriangulation (points, true, cells)
                                     : sequential.back ());
-    const Run result = runShape (points, threads);
+    const benchmark::ShapeRun result = benchmark::runShape (points, threads);
     total.push_back (result.seconds);
-    double up_to_dimension = 0.0;
     stages.resize (result.stages.size ());
     names.clear ();
     for (std::size_t i = 0; i < result.stages.size (); ++i) {
       stages[i].push_back (result.stages[i].seconds);
       names.push_back (result.stages[i].name);
-      if (i < 4)
-        up_to_dimension += result.stages[i].seconds;
     }
-    dimension.push_back (up_to_dimension);
+    dimension.push_back (result.dimension_seconds);
   }
   const double bare = std::min (median (sequential), median (parallel));
   std::printf ("%s, %ld points, noise %.2f spacings, %u threads, %.1f cells a point\n", shape.c_str (),
