@@ -6,6 +6,8 @@
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
+#include <tbb/scalable_allocator.h>
+
 #include <algorithm>
 #include <chrono>
 #include <random>
@@ -139,6 +141,17 @@ copyTriangulation (T& triangulation, FlatCells& flat)
 
 using Points = std::vector<std::pair<Kernel::Point_3, std::int32_t>>;
 
+// Gives the memory of a triangulation that was made in parallel back to the system: TBB's allocator would
+// keep it.
+struct MemoryReturn
+{
+  MemoryReturn () = default;
+  MemoryReturn (const MemoryReturn&) = delete;
+  MemoryReturn& operator= (const MemoryReturn&) = delete;
+
+  ~MemoryReturn () { scalable_allocation_command (TBBMALLOC_CLEAN_ALL_BUFFERS, nullptr); }
+};
+
 // Inserts points into a triangulation, and hands it to use (triangulation).
 template <typename Use>
 void
@@ -149,6 +162,7 @@ insertInParallel (const Points& points, const Use& use)
   for (const auto& point : points)
     box += point.first.bbox ();
   T::Lock_data_structure locks (box, LOCK_GRID);
+  const MemoryReturn after_triangulation;
   T triangulation;
   // CGAL 5.5 silently ignores locks that are passed to an insertion of points with info.
   triangulation.set_lock_data_structure (&locks);
