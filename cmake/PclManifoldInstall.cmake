@@ -55,7 +55,10 @@ endif ()
 # A header of the Delaunay family would only promise what the core alone cannot link.
 set (headers_of_delaunay "")
 if (NOT TARGET pcl_manifold_delaunay)
-  set (headers_of_delaunay REGEX "/(delaunay_complex|sample_dimensions|dimension_detection|cocone_shape)\\.(h|hpp)$" EXCLUDE)
+  set (names cocone_shape delaunay_complex detect_dimensions dimension_detection fixed_point_complex
+             fixed_point_reconstruction mesh_pieces reconstruct_fixed_point reconstruct_shape sample_dimensions)
+  list (JOIN names "|" names)
+  set (headers_of_delaunay REGEX "/(${names})\\.(h|hpp)$" EXCLUDE)
 endif ()
 install (DIRECTORY "${PROJECT_SOURCE_DIR}/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT dev
   ${headers_of_delaunay})

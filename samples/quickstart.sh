@@ -13,11 +13,11 @@ cd "$root"
 
 say () { echo "[$(printf '%4d' "$SECONDS") s] $*"; }
 
-say "1/5 dependencies"
+say "1/6 dependencies"
 cmake/install_dependencies.sh build samples
 
 jobs=$(cmake/build_jobs.sh)
-say "2/5 build, release, $jobs at once (the first time takes minutes)"
+say "2/6 build, release, $jobs at once (the first time takes minutes)"
 cmake --preset release --log-level=WARNING > /dev/null
 cmake --build --preset release --parallel "$jobs"
 mkdir -p "$out/clouds"
@@ -36,9 +36,10 @@ unpack_real_clouds () {
   tar -xzf "$archive" -C "$scratch" data/points_3 data/meshes
 }
 
-say "3/5 clouds"
+say "3/6 clouds"
 "$bin/generate_cloud" scene "$out/clouds/scene.pcd" -spacing 0.05
 "$bin/generate_cloud" lidar-aerial "$out/clouds/lidar-aerial.pcd"
+"$bin/generate_cloud" genus3 "$out/clouds/genus3.pcd" -n 100000 -sampling random
 real=()
 if unpack_real_clouds; then
   real=(points_3/b9_training.ply points_3/kitten.xyz meshes/bunny00.off meshes/knot1.off)
@@ -64,20 +65,33 @@ shape () {
     -report "$out/$name-shape.json" -picture "$out/$name-shape.png"
 }
 
-say "4/5 dimension: which points lie on curves, on surfaces, in solids"
+graph () {
+  local name=${1%.*}
+  say "coarse mesh of $1"
+  xvfb-run -a "$bin/pcl_graph_reconstruction" "$out/clouds/$1" "$out/$name-graph.ply" "${@:2}" \
+    -report "$out/$name-graph.json" -picture "$out/$name-graph.png"
+}
+
+say "4/6 dimension: which points lie on curves, on surfaces, in solids"
 dimension scene.pcd
 dimension lidar-aerial.pcd
 if [ ${#real[@]} -gt 0 ]; then
   dimension b9_training.ply -k 4
 fi
 
-say "5/5 shape: edges, triangles and tetrahedra"
+say "5/6 shape: edges, triangles and tetrahedra"
 shape scene.pcd
 if [ ${#real[@]} -gt 0 ]; then
   shape kitten.xyz
   shape bunny00.off -watertight
   shape knot1.off
   shape b9_training.ply -k 4
+fi
+
+say "6/6 a coarse mesh from graph distances alone"
+graph genus3.pcd
+if [ ${#real[@]} -gt 0 ]; then
+  graph bunny00.off
 fi
 
 say "done. In $out:"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pcl/point_types.h>
 #include <pcl/register_point_struct.h>
 
 #include <Eigen/Core>

@@ -20,7 +20,8 @@ struct Reconstruction
   bool operator() ()
   {
     object.reconstruct (shape);
-    return shape.empty ();
+    return shape.empty () && object.getSampleDimensions () == nullptr &&
+           object.getDelaunayComplex () == nullptr;
   }
 };
 
@@ -33,7 +34,8 @@ struct MeshReconstruction
   bool operator() ()
   {
     static_cast<pcl::MeshConstruction<pcl::PointXYZ>&> (object).reconstruct (mesh);
-    return mesh.polygons.empty () && mesh.cloud.data.empty ();
+    return mesh.polygons.empty () && mesh.cloud.data.empty () && object.getSampleDimensions () == nullptr &&
+           object.getDelaunayComplex () == nullptr;
   }
 };
 
@@ -84,7 +86,8 @@ TEST (CoconeShape, SaysWhatIsWrongWithTheIndices)
 
 TEST (CoconeShape, RefusesParametersOutOfRange)
 {
-  checkParameters<Reconstruction> ();
+  checkRho<Reconstruction> ();
+  checkThinning<Reconstruction> ();
 }
 
 TEST (CoconeShape, CanBeCancelledAtEveryStage)

@@ -76,6 +76,35 @@ expectGrid (vtkUnstructuredGrid* grid)
   EXPECT_EQ (1009, label->GetComponent (9, 0));
 }
 
+TEST (ComplexIoVtk, VtkReadsOurPolygons)
+{
+  pcl::PolygonMesh mesh;
+  mesh.cloud = coloredCloud ();
+  mesh.polygons.resize (2);
+  mesh.polygons[0].vertices = {0, 1, 2};
+  mesh.polygons[1].vertices = {2, 3, 4, 5, 6};
+  const TestFolder folder;
+  std::string error;
+  for (const bool ascii : {false, true}) {
+    ASSERT_TRUE (pcl::manifold::savePolygonMesh (folder / "mesh.vtk", mesh, error, ascii)) << error;
+    ASSERT_TRUE (pcl::manifold::savePolygonMesh (folder / "mesh.vtu", mesh, error, ascii)) << error;
+    vtkNew<vtkUnstructuredGridReader> legacy;
+    legacy->SetFileName ((folder / "mesh.vtk").c_str ());
+    legacy->Update ();
+    vtkNew<vtkXMLUnstructuredGridReader> xml;
+    xml->SetFileName ((folder / "mesh.vtu").c_str ());
+    xml->Update ();
+    for (vtkUnstructuredGrid* grid : {legacy->GetOutput (), xml->GetOutput ()}) {
+      ASSERT_EQ (2, grid->GetNumberOfCells ());
+      EXPECT_EQ (VTK_POLYGON, grid->GetCellType (1));
+      vtkNew<vtkIdList> cell;
+      grid->GetCellPoints (1, cell);
+      ASSERT_EQ (5, cell->GetNumberOfIds ());
+      EXPECT_EQ (6, cell->GetId (4));
+    }
+  }
+}
+
 TEST (ComplexIoVtk, VtkReadsOurs)
 {
   const TestFolder folder;

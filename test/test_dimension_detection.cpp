@@ -20,7 +20,8 @@ struct DetectionOf
     object.compute (labels);
     return labels.empty () && object.getManifoldDimension ().empty () && object.getBoundary ().empty () &&
            object.getConfidence ().empty () && object.getHeights ().cols () == 0 &&
-           object.getSamples ().empty ();
+           object.getSamples ().empty () && object.getSampleDimensions () == nullptr &&
+           object.getDelaunayComplex () == nullptr;
   }
 
   std::vector<std::uint32_t> values () const
@@ -58,7 +59,8 @@ TEST (DimensionDetection, SaysWhatIsWrongWithTheIndices)
 
 TEST (DimensionDetection, RefusesParametersOutOfRange)
 {
-  checkParameters<Detection> ();
+  checkRho<Detection> ();
+  checkThinning<Detection> ();
 }
 
 TEST (DimensionDetection, CanBeCancelledAtEveryStage)

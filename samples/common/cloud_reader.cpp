@@ -3,6 +3,7 @@
 #include "app_error.h"
 #include "coordinates.h"
 #include "file_type.h"
+#include "input_file.h"
 #include "off_reader.h"
 #include "pcd_reader.h"
 #include "xyz_reader.h"
@@ -33,19 +34,29 @@ readMeshPoints (const std::string& file)
   return cloud;
 }
 
+/** \brief Does the file lack the first line of every PLY file? */
+bool
+lacksPlyHeader (const std::string& file)
+{
+  std::string line;
+  InputFile input (file);
+  return input.readLine (line) && line != "ply";
+}
+
 } // namespace
 
 const char* const cloud_file_types = ".pcd .ply .xyz .txt .off .obj .vtk .vtu";
 
 InputCloud
-readCloud (const std::string& file)
+readCloud (const std::string& file, Reading reading)
 {
   InputCloud input;
   input.file = file;
   const std::string type = fileType (file);
   if (type == ".pcd")
     input.cloud = readPcd (file, input.viewpoint);
-  else if (type == ".xyz" || type == ".txt")
+  else if (type == ".xyz" || type == ".txt" ||
+           (type == ".ply" && reading == Reading::LAX && lacksPlyHeader (file)))
     input.cloud = readXyz (file, input.notes);
   else if (type == ".off")
     input.cloud = readOffVertices (file);

@@ -21,11 +21,18 @@ struct InputCloud
   std::size_t size () const { return static_cast<std::size_t> (cloud.width) * cloud.height; }
 };
 
+/** \brief What is taken for a cloud. */
+enum class Reading
+{
+  STRICT, ///< a file as its name says
+  LAX     ///< a PLY file without a header too: text with a point a line, as in .xyz files
+};
+
 /** \brief Reads a cloud from a file whose name ends in one of the cloud_file_types; of a mesh, its vertices.
  * As PCL does it, fields `nx ny nz` become `normal_x normal_y normal_z`. Points may be NaN; the coordinates
  * are as makeCoordinatesFloat () leaves them.
  * \throws AppError that says what is wrong with the file, and where */
-InputCloud readCloud (const std::string& file);
+InputCloud readCloud (const std::string& file, Reading reading = Reading::STRICT);
 
 /** \brief The file types that readCloud () takes, for help texts. */
 extern const char* const cloud_file_types;

@@ -57,14 +57,6 @@ makeData (const Layer& layer, const UnitFrame& frame)
   return data;
 }
 
-/** \brief Many points are drawn small, few large. */
-double
-pointSize (std::size_t count)
-{
-  return std::clamp (9.0 - 1.6 * std::log10 (static_cast<double> (std::max<std::size_t> (count, 10)) / 10),
-                     1.0, 9.0);
-}
-
 void
 shadeTriangles (vtkActor& actor, const Layer& layer)
 {
@@ -81,6 +73,22 @@ shadeTriangles (vtkActor& actor, const Layer& layer)
 }
 
 } // namespace
+
+UnitFrame
+frameOf (const std::vector<std::array<double, 3>>& corners)
+{
+  UnitFrame frame;
+  double extent = 0;
+  for (int axis = 0; axis < 3 && !corners.empty (); ++axis) {
+    const auto [low, high] = std::minmax_element (
+      corners.begin (), corners.end (), [axis] (const auto& a, const auto& b) { return a[axis] < b[axis]; });
+    frame.centre[axis] = ((*low)[axis] + (*high)[axis]) / 2;
+    extent = std::max (extent, (*high)[axis] - (*low)[axis]);
+  }
+  if (extent > 0)
+    frame.scale = extent / 2;
+  return frame;
+}
 
 vtkSmartPointer<vtkActor>
 makeActor (const Layer& layer, const UnitFrame& frame, double pixel_scale)

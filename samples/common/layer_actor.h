@@ -3,6 +3,7 @@
 #include "scene.h"
 
 #include <array>
+#include <vector>
 
 #include <vtkActor.h>
 #include <vtkSmartPointer.h>
@@ -22,6 +23,9 @@ struct UnitFrame
             (position[2] - centre[2]) / scale};
   }
 };
+
+/** \brief The frame that takes corners to the cube. */
+UnitFrame frameOf (const std::vector<std::array<double, 3>>& corners);
 
 /** \brief What VTK draws for a layer.
  * \param[in] pixel_scale factor for sizes in pixels */

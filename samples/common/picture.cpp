@@ -27,12 +27,18 @@ Picture::~Picture () = default;
 void
 Picture::draw (const std::string& title, const std::vector<Panel>& panels, int width, int height) const
 {
-  if (!wanted ())
-    return;
+  if (wanted ())
+    writePicture (file_, title, panels, width, height);
+}
+
+void
+writePicture (const std::string& file, const std::string& title, const std::vector<Panel>& panels, int width,
+              int height)
+{
   const std::string png = renderPanels (title, panels, width, height);
   if (png.empty ())
-    throw AppError (file_, "the picture could not be drawn");
-  writeStream (file_, [&png] (std::ostream& stream) {
+    throw AppError (file, "the picture could not be drawn");
+  writeStream (file, [&png] (std::ostream& stream) {
     stream.write (png.data (), static_cast<std::streamsize> (png.size ()));
   });
 }

@@ -27,11 +27,9 @@ public:
   /** \brief Did the user ask for it? */
   bool wanted () const { return !file_.empty (); }
 
-  /** \brief Draws the panels side by side, on white, each with its caption and its legend, under a title;
-   * writes the file atomically. Back faces of triangles have another tint. Does nothing if no picture is
-   * wanted.
-   * \param[in] title one line
-   * \param[in] panels at least one
+  /** \brief Draws the panels side by side, more than three of them in two rows, on white, each with its
+   * caption and its legend, under a title; writes the file atomically. Back faces of triangles have another
+   * tint. Does nothing if no picture is wanted. \param[in] title one line \param[in] panels at least one
    * \param[in] width of the picture, in pixels
    * \param[in] height of the picture, in pixels
    * \throws AppError if drawing or writing fails */
@@ -42,5 +40,10 @@ private:
   std::string file_;
   std::unique_ptr<PictureDisplay> display_;
 };
+
+/** \brief Draws a picture as Picture::draw () does, on the display that there is.
+ * \throws AppError if drawing or writing fails */
+void writePicture (const std::string& file, const std::string& title, const std::vector<Panel>& panels,
+                   int width, int height);
 
 } // namespace pcl::manifold::apps

@@ -23,6 +23,9 @@ public:
 
   ~PictureDisplay ();
 
+  /** \brief Is it one that nobody sees? */
+  bool isVirtual () const { return virtual_display_ != nullptr; }
+
 private:
   /** \brief Gives DISPLAY the value that it had. */
   void restore ();

@@ -9,11 +9,9 @@
 namespace pcl::manifold::apps {
 
 void
-SampleOptions::declare (CommandLine& command_line)
+ThinningOptions::declare (CommandLine& command_line)
 {
   command_line
-    .option ("rho", "r", "largest ratio of heights that still makes a normal direction, in (0, 1]", rho,
-             {1e-9, 1.0})
     .option ("k", "k",
              "thin the cloud: no two samples among each other's k nearest neighbours; 0 = off.\n"
              "4 to 8 for airborne scans, 12 to 48 for random or noisy points: no more than it takes",
@@ -23,19 +21,33 @@ SampleOptions::declare (CommandLine& command_line)
 }
 
 void
-SampleOptions::checkReport () const
+ThinningOptions::checkReport () const
 {
   if (!common.report.empty ())
     checkWritable (common.report);
 }
 
 void
-SampleOptions::describe (Report& report) const
+ThinningOptions::describe (Report& report) const
 {
-  report.parameter ("rho", rho);
   report.parameter ("k", k);
   report.parameter ("spacing", spacing);
   report.parameter ("threads", common.threads);
+}
+
+void
+SampleOptions::declare (CommandLine& command_line)
+{
+  command_line.option ("rho", "r", "largest ratio of heights that still makes a normal direction, in (0, 1]",
+                       rho, {1e-9, 1.0});
+  ThinningOptions::declare (command_line);
+}
+
+void
+SampleOptions::describe (Report& report) const
+{
+  report.parameter ("rho", rho);
+  ThinningOptions::describe (report);
 }
 
 pcl::PointCloud<pcl::PointXYZ>::Ptr
@@ -57,22 +69,31 @@ printNotes (const InputCloud& input, bool quiet)
 void
 describeInput (const InputCloud& input, const SampleSet& samples, Report& report, Table& table)
 {
+  describeInput (
+    input,
+    {samples.non_finite, samples.duplicates, samples.thinned, static_cast<std::size_t> (samples.size ())},
+    report, table);
+}
+
+void
+describeInput (const InputCloud& input, const PointCounts& counts, Report& report, Table& table)
+{
   report.input ("file", input.file);
   report.input ("points", Json::UInt64 (input.size ()));
-  report.input ("dropped", Json::UInt64 (samples.non_finite));
-  report.input ("duplicates", Json::UInt64 (samples.duplicates));
-  report.input ("thinned", Json::UInt64 (samples.thinned));
-  report.input ("samples", Json::Int64 (samples.size ()));
+  report.input ("dropped", Json::UInt64 (counts.dropped));
+  report.input ("duplicates", Json::UInt64 (counts.duplicates));
+  report.input ("thinned", Json::UInt64 (counts.thinned));
+  report.input ("samples", Json::UInt64 (counts.samples));
   Json::Value origin (Json::arrayValue);
   for (const double coordinate : input.origin)
     origin.append (coordinate);
   report.input ("origin", origin);
   table.row ("points", input.size ());
-  if (samples.non_finite > 0)
-    table.row ("dropped, not finite", samples.non_finite);
-  if (samples.duplicates > 0)
-    table.row ("duplicates", samples.duplicates);
-  table.row ("samples", static_cast<std::size_t> (samples.size ()));
+  if (counts.dropped > 0)
+    table.row ("dropped, not finite", counts.dropped);
+  if (counts.duplicates > 0)
+    table.row ("duplicates", counts.duplicates);
+  table.row ("samples", counts.samples);
 }
 
 void

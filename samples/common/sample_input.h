@@ -14,19 +14,38 @@
 
 namespace pcl::manifold::apps {
 
-/** \brief The options that both apps of the Delaunay family hand on to their class. */
-struct SampleOptions
+/** \brief The options that all apps of the Delaunay family hand on to their class. */
+struct ThinningOptions
 {
-  double rho = 0.3;
   int k = 0;
   double spacing = 0.0;
   CommonOptions common;
 
-  /** \brief Declares `-rho`, `-k`, `-spacing` and the common options. */
+  /** \brief Declares `-k`, `-spacing` and the common options. */
   void declare (CommandLine& command_line);
 
   /** \brief Checks early that what the common options ask for can be written. */
   void checkReport () const;
+
+  void describe (Report& report) const;
+
+  /** \brief Sets them on a class. */
+  template <typename Class>
+  void apply (Class& object) const
+  {
+    object.setKSearch (k);
+    object.setSpacing (spacing);
+    object.setNumberOfThreads (static_cast<unsigned int> (common.threads));
+  }
+};
+
+/** \brief Those of the apps that detect dimensions. */
+struct SampleOptions : ThinningOptions
+{
+  double rho = 0.3;
+
+  /** \brief Declares `-rho`, too. */
+  void declare (CommandLine& command_line);
 
   void describe (Report& report) const;
 
@@ -35,9 +54,7 @@ struct SampleOptions
   void apply (Class& object) const
   {
     object.setRho (rho);
-    object.setKSearch (k);
-    object.setSpacing (spacing);
-    object.setNumberOfThreads (static_cast<unsigned int> (common.threads));
+    ThinningOptions::apply (object);
   }
 };
 
@@ -47,7 +64,17 @@ pcl::PointCloud<pcl::PointXYZ>::Ptr pointsOf (const InputCloud& input);
 /** \brief Tells the user what was noticed while the cloud was read, on standard error. */
 void printNotes (const InputCloud& input, bool quiet);
 
+/** \brief What became of the points of a cloud. */
+struct PointCounts
+{
+  std::size_t dropped = 0;    ///< not finite
+  std::size_t duplicates = 0; ///< of other points
+  std::size_t thinned = 0;    ///< left out by thinning
+  std::size_t samples = 0;    ///< all others
+};
+
 /** \brief Reports and tabulates what became of the points of a cloud, and the stages of a computation. */
+void describeInput (const InputCloud& input, const PointCounts& counts, Report& report, Table& table);
 void describeInput (const InputCloud& input, const SampleSet& samples, Report& report, Table& table);
 void describeStages (const std::vector<Stage>& stages, Report& report, Table& table);
 

@@ -2,6 +2,8 @@
 
 #include "table.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace pcl::manifold::apps {
@@ -34,6 +36,13 @@ dimensionName (int dimension)
     default:
       return "other";
   }
+}
+
+double
+pointSize (std::size_t count)
+{
+  return std::clamp (9.0 - 1.6 * std::log10 (static_cast<double> (std::max<std::size_t> (count, 10)) / 10),
+                     1.0, 9.0);
 }
 
 std::vector<Layer>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -40,6 +41,9 @@ struct Panel
   std::string caption;
   std::vector<Layer> layers;
 };
+
+/** \brief In pixels: many points are drawn small, few large. */
+double pointSize (std::size_t count);
 
 /** \brief Colours of dimensions 0 (unknown, grey) to 3, apart for colour-blind eyes too: curves orange,
  * surfaces blue, solids green. */

@@ -20,7 +20,7 @@ struct Format
 {
   const char* extension;
   FileContent (*read) (std::string_view);
-  void (*write) (OutputFile&, const CloudFields&, const SimplicialComplex&, bool);
+  void (*write) (OutputFile&, const CloudFields&, const FileCells&, bool);
 };
 
 constexpr Format formats[] = {
@@ -60,6 +60,30 @@ succeeds (Function function, std::string& error)
   return false;
 }
 
+/** \brief Tells polygons of two vertices, edges, from larger ones. \throw FileError for one that is neither
+ */
+void
+sortPolygons (const std::vector<pcl::Vertices>& polygons, std::size_t points, SimplicialComplex& edges,
+              FaceRows& faces)
+{
+  for (std::size_t i = 0; i < polygons.size (); ++i) {
+    const pcl::Indices& vertices = polygons[i].vertices;
+    const auto number = [i] { return "polygon " + std::to_string (i); };
+    if (vertices.size () < 2)
+      throw FileError (number () + " has " + std::to_string (vertices.size ()) + " vertices");
+    for (const pcl::index_t v : vertices)
+      if (v < 0 || static_cast<std::size_t> (v) >= points)
+        throw FileError (number () + " has vertex " + std::to_string (v) + ", but there are " +
+                         std::to_string (points) + " points");
+    if (vertices.size () == 2) {
+      edges.edges.push_back ({vertices[0], vertices[1]});
+    } else {
+      faces.vertices.insert (faces.vertices.end (), vertices.begin (), vertices.end ());
+      faces.starts.push_back (faces.vertices.size ());
+    }
+  }
+}
+
 } // namespace
 
 bool
@@ -86,7 +110,24 @@ saveComplex (const std::string& file, const pcl::PCLPointCloud2& cloud, const Si
       if (!isValid (complex, fields.points (), &why))
         throw FileError (why);
       OutputFile output (file);
-      format.write (output, fields, complex, ascii);
+      format.write (output, fields, {complex, FaceRows ()}, ascii);
+      output.commit ();
+    },
+    error);
+}
+
+bool
+savePolygonMesh (const std::string& file, const pcl::PolygonMesh& mesh, std::string& error, bool ascii)
+{
+  return succeeds (
+    [&] {
+      const Format& format = formatOf (file);
+      const CloudFields fields (mesh.cloud);
+      SimplicialComplex edges;
+      FaceRows faces;
+      sortPolygons (mesh.polygons, fields.points (), edges, faces);
+      OutputFile output (file);
+      format.write (output, fields, {edges, faces}, ascii);
       output.commit ();
     },
     error);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/PCLPointCloud2.h>
+#include <pcl/PolygonMesh.h>
 #include <pcl/manifold/export.h>
 #include <pcl/manifold/simplicial_complex.h>
 
@@ -45,6 +46,14 @@ PCL_MANIFOLD_CORE_EXPORTS bool canSaveComplex (const std::string& file, std::str
 PCL_MANIFOLD_CORE_EXPORTS bool saveComplex (const std::string& file, const pcl::PCLPointCloud2& cloud,
                                             const SimplicialComplex& complex, std::string& error,
                                             bool ascii = false);
+
+/** \brief Write a mesh of polygons of any sizes, as they are: polygons of two vertices as edges, larger ones
+ * as faces of PLY and OBJ and as cells of VTK's formats. Otherwise as saveComplex (); loadComplex () reads
+ * the file with larger polygons cut into triangles. \param[in] mesh its polygons must have two vertices or
+ * more, all of them points of its cloud \return false on failure, a polygon with too few or wrong vertices
+ * among others */
+PCL_MANIFOLD_CORE_EXPORTS bool savePolygonMesh (const std::string& file, const pcl::PolygonMesh& mesh,
+                                                std::string& error, bool ascii = false);
 
 /** \brief Read a complex and its cloud, from files of saveComplex () and of other programs.
  *

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace pcl {
@@ -46,7 +47,7 @@ checkNames (const CloudFields& cloud)
 }
 
 std::string
-headerOf (const CloudFields& cloud, std::size_t edges, std::size_t faces, bool ascii)
+headerOf (const CloudFields& cloud, std::size_t edges, std::size_t faces, bool long_faces, bool ascii)
 {
   std::string header = "ply\nformat ";
   header += ascii ? "ascii" : "binary_little_endian";
@@ -60,8 +61,8 @@ headerOf (const CloudFields& cloud, std::size_t edges, std::size_t faces, bool a
     }
   if (edges > 0)
     header += "element edge " + std::to_string (edges) + "\nproperty int vertex1\nproperty int vertex2\n";
-  return header + "element face " + std::to_string (faces) +
-         "\nproperty list uchar int vertex_indices\nend_header\n";
+  return header + "element face " + std::to_string (faces) + "\nproperty list " +
+         (long_faces ? "uint" : "uchar") + " int vertex_indices\nend_header\n";
 }
 
 /** \brief An integer of 64 bits as a double. */
@@ -79,26 +80,62 @@ wideValue (const CloudField& field, const std::uint8_t* data)
   });
 }
 
-void
-writeFaces (ValueWriter& writer, const std::vector<SimplicialComplex::Triangle>& triangles)
+/** \brief Writes one face after the other, with the length that the header announces. */
+class FaceWriter
 {
-  for (const SimplicialComplex::Triangle& t : triangles) {
-    writer.value (std::uint8_t (3));
-    for (const pcl::index_t v : t)
-      writer.value (static_cast<std::int32_t> (v));
-    writer.endRow ();
+public:
+  FaceWriter (ValueWriter& writer, bool long_faces) : writer_ (writer), long_faces_ (long_faces) {}
+
+  void write (const pcl::index_t* begin, const pcl::index_t* end)
+  {
+    if (long_faces_)
+      writer_.value (static_cast<std::uint32_t> (end - begin));
+    else
+      writer_.value (static_cast<std::uint8_t> (end - begin));
+    for (const pcl::index_t* v = begin; v != end; ++v)
+      writer_.value (static_cast<std::int32_t> (*v));
+    writer_.endRow ();
   }
+
+  void write (const std::vector<SimplicialComplex::Triangle>& triangles)
+  {
+    for (const SimplicialComplex::Triangle& t : triangles)
+      write (t.data (), t.data () + t.size ());
+  }
+
+  void write (const FaceRows& faces)
+  {
+    for (std::size_t f = 0; f < faces.size (); ++f)
+      write (faces.vertices.data () + faces.starts[f], faces.vertices.data () + faces.starts[f + 1]);
+  }
+
+private:
+  ValueWriter& writer_;
+  const bool long_faces_;
+};
+
+/** \brief Whether a face has more vertices than a byte can count. */
+bool
+hasLongFaces (const FaceRows& faces)
+{
+  for (std::size_t f = 0; f < faces.size (); ++f)
+    if (faces.starts[f + 1] - faces.starts[f] > std::numeric_limits<std::uint8_t>::max ())
+      return true;
+  return false;
 }
 
 } // namespace
 
 void
-writePly (OutputFile& file, const CloudFields& cloud, const SimplicialComplex& complex, bool ascii)
+writePly (OutputFile& file, const CloudFields& cloud, const FileCells& cells, bool ascii)
 {
   checkNames (cloud);
-  const std::vector<SimplicialComplex::Triangle> boundary = boundaryTriangles (complex.tetrahedra);
+  const std::vector<SimplicialComplex::Triangle> boundary = boundaryTriangles (cells.complex.tetrahedra);
+  const bool long_faces = hasLongFaces (cells.polygons);
   ValueWriter writer (file, ascii ? Encoding::TEXT : Encoding::BINARY_LITTLE);
-  writer.text (headerOf (cloud, complex.edges.size (), complex.triangles.size () + boundary.size (), ascii));
+  writer.text (headerOf (cloud, cells.complex.edges.size (),
+                         cells.complex.triangles.size () + boundary.size () + cells.polygons.size (),
+                         long_faces, ascii));
   std::vector<std::uint8_t> values;
   for (std::size_t i = 0; i < cloud.points (); ++i) {
     for (const CloudField& field : cloud.fields ()) {
@@ -114,13 +151,15 @@ writePly (OutputFile& file, const CloudFields& cloud, const SimplicialComplex& c
     }
     writer.endRow ();
   }
-  for (const SimplicialComplex::Edge& edge : complex.edges) {
+  for (const SimplicialComplex::Edge& edge : cells.complex.edges) {
     writer.value (static_cast<std::int32_t> (edge[0]));
     writer.value (static_cast<std::int32_t> (edge[1]));
     writer.endRow ();
   }
-  writeFaces (writer, complex.triangles);
-  writeFaces (writer, boundary);
+  FaceWriter faces (writer, long_faces);
+  faces.write (cells.complex.triangles);
+  faces.write (boundary);
+  faces.write (cells.polygons);
   writer.finish ();
 }
 

@@ -29,8 +29,9 @@ encodeName (const std::string& name)
 class VtkWriter
 {
 public:
-  VtkWriter (OutputFile& file, const CloudFields& cloud, const SimplicialComplex& complex, bool ascii)
-    : writer_ (file, ascii ? Encoding::TEXT : Encoding::BINARY_BIG), cloud_ (cloud), complex_ (complex)
+  VtkWriter (OutputFile& file, const CloudFields& cloud, const FileCells& cells, bool ascii)
+    : writer_ (file, ascii ? Encoding::TEXT : Encoding::BINARY_BIG), cloud_ (cloud), complex_ (cells.complex),
+      polygons_ (cells.polygons)
   {
     writer_.text (std::string ("# vtk DataFile Version 3.0\nwritten by pcl_manifold\n") +
                   (ascii ? "ASCII" : "BINARY") + "\nDATASET UNSTRUCTURED_GRID\n");
@@ -63,15 +64,19 @@ private:
     writer_.text ("\n");
   }
 
+  void writeRow (const pcl::index_t* begin, const pcl::index_t* end)
+  {
+    writer_.value (static_cast<std::int32_t> (end - begin));
+    for (const pcl::index_t* v = begin; v != end; ++v)
+      writer_.value (static_cast<std::int32_t> (*v));
+    writer_.endRow ();
+  }
+
   template <std::size_t N>
   void writeRows (const std::vector<std::array<pcl::index_t, N>>& simplices)
   {
-    for (const auto& simplex : simplices) {
-      writer_.value (static_cast<std::int32_t> (N));
-      for (const pcl::index_t v : simplex)
-        writer_.value (static_cast<std::int32_t> (v));
-      writer_.endRow ();
-    }
+    for (const auto& simplex : simplices)
+      writeRow (simplex.data (), simplex.data () + N);
   }
 
   void writeTypes (std::size_t count, VtkCellType type)
@@ -85,17 +90,23 @@ private:
   void writeCells ()
   {
     const std::size_t edges = complex_.edges.size (), triangles = complex_.triangles.size (),
-                      tetrahedra = complex_.tetrahedra.size ();
-    const std::string cells = std::to_string (edges + triangles + tetrahedra);
-    writer_.text ("CELLS " + cells + " " + std::to_string (3 * edges + 4 * triangles + 5 * tetrahedra) +
-                  "\n");
+                      tetrahedra = complex_.tetrahedra.size (), polygons = polygons_.size ();
+    const std::string cells = std::to_string (edges + triangles + tetrahedra + polygons);
+    writer_.text (
+      "CELLS " + cells + " " +
+      std::to_string (3 * edges + 4 * triangles + 5 * tetrahedra + polygons + polygons_.vertices.size ()) +
+      "\n");
     writeRows (complex_.edges);
     writeRows (complex_.triangles);
     writeRows (complex_.tetrahedra);
+    for (std::size_t f = 0; f < polygons; ++f)
+      writeRow (polygons_.vertices.data () + polygons_.starts[f],
+                polygons_.vertices.data () + polygons_.starts[f + 1]);
     writer_.text ("\nCELL_TYPES " + cells + "\n");
     writeTypes (edges, VTK_CELL_LINE);
     writeTypes (triangles, VTK_CELL_TRIANGLE);
     writeTypes (tetrahedra, VTK_CELL_TETRA);
+    writeTypes (polygons, VTK_CELL_POLYGON);
     writer_.text ("\n");
   }
 
@@ -123,14 +134,15 @@ private:
   ValueWriter writer_;
   const CloudFields& cloud_;
   const SimplicialComplex& complex_;
+  const FaceRows& polygons_;
 };
 
 } // namespace
 
 void
-writeVtk (OutputFile& file, const CloudFields& cloud, const SimplicialComplex& complex, bool ascii)
+writeVtk (OutputFile& file, const CloudFields& cloud, const FileCells& cells, bool ascii)
 {
-  VtkWriter (file, cloud, complex, ascii).write ();
+  VtkWriter (file, cloud, cells, ascii).write ();
 }
 
 } // namespace manifold

@@ -68,17 +68,17 @@ escapeXml (const std::string& text)
 class VtuWriter
 {
 public:
-  VtuWriter (OutputFile& file, const CloudFields& cloud, const SimplicialComplex& complex, bool ascii)
+  VtuWriter (OutputFile& file, const CloudFields& cloud, const FileCells& cells, bool ascii)
     : writer_ (file, ascii                ? Encoding::TEXT
                      : host_is_big_endian ? Encoding::BINARY_BIG
                                           : Encoding::BINARY_LITTLE),
-      cloud_ (cloud), complex_ (complex), ascii_ (ascii)
+      cloud_ (cloud), complex_ (cells.complex), polygons_ (cells.polygons), ascii_ (ascii)
   {}
 
   void write ()
   {
     const std::size_t cells =
-      complex_.edges.size () + complex_.triangles.size () + complex_.tetrahedra.size ();
+      complex_.edges.size () + complex_.triangles.size () + complex_.tetrahedra.size () + polygons_.size ();
     writer_.text (std::string ("<?xml version=\"1.0\"?>\n<!-- written by pcl_manifold -->\n"
                                "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"") +
                   (host_is_big_endian ? "BigEndian" : "LittleEndian") +
@@ -146,33 +146,36 @@ private:
     writer_.text ("</Points>\n");
   }
 
-  /** \brief Calls f (type, vertices) for every cell. */
+  /** \brief Calls f (type, first vertex, end of the vertices) for every cell. */
   template <typename Function>
   void forEachCell (Function f) const
   {
     for (const auto& edge : complex_.edges)
-      f (VTK_CELL_LINE, edge);
+      f (VTK_CELL_LINE, edge.data (), edge.data () + edge.size ());
     for (const auto& triangle : complex_.triangles)
-      f (VTK_CELL_TRIANGLE, triangle);
+      f (VTK_CELL_TRIANGLE, triangle.data (), triangle.data () + triangle.size ());
     for (const auto& tetrahedron : complex_.tetrahedra)
-      f (VTK_CELL_TETRA, tetrahedron);
+      f (VTK_CELL_TETRA, tetrahedron.data (), tetrahedron.data () + tetrahedron.size ());
+    for (std::size_t i = 0; i < polygons_.size (); ++i)
+      f (VTK_CELL_POLYGON, polygons_.vertices.data () + polygons_.starts[i],
+         polygons_.vertices.data () + polygons_.starts[i + 1]);
   }
 
   template <typename Integer>
   void writeCellArrays (ScalarType type, std::size_t cells, std::size_t corners)
   {
     writeArray ("connectivity", type, 1, corners * sizeof (Integer), [this] {
-      forEachCell ([this] (VtkCellType, const auto& vertices) {
-        for (const pcl::index_t v : vertices)
-          writer_.value (static_cast<Integer> (v));
+      forEachCell ([this] (VtkCellType, const pcl::index_t* begin, const pcl::index_t* end) {
+        for (const pcl::index_t* v = begin; v != end; ++v)
+          writer_.value (static_cast<Integer> (*v));
         writer_.endRow ();
       });
     });
     writeArray ("offsets", type, 1, cells * sizeof (Integer), [this] {
-      Integer end = 0;
-      forEachCell ([this, &end] (VtkCellType, const auto& vertices) {
-        end += static_cast<Integer> (vertices.size ());
-        writer_.value (end);
+      Integer offset = 0;
+      forEachCell ([this, &offset] (VtkCellType, const pcl::index_t* begin, const pcl::index_t* end) {
+        offset += static_cast<Integer> (end - begin);
+        writer_.value (offset);
         writer_.endRow ();
       });
     });
@@ -180,15 +183,15 @@ private:
 
   void writeCells (std::size_t cells)
   {
-    const std::size_t corners =
-      2 * complex_.edges.size () + 3 * complex_.triangles.size () + 4 * complex_.tetrahedra.size ();
+    const std::size_t corners = 2 * complex_.edges.size () + 3 * complex_.triangles.size () +
+                                4 * complex_.tetrahedra.size () + polygons_.vertices.size ();
     writer_.text ("<Cells>\n");
     if (corners <= static_cast<std::size_t> (std::numeric_limits<std::int32_t>::max ()))
       writeCellArrays<std::int32_t> (Field::INT32, cells, corners);
     else
       writeCellArrays<std::int64_t> (Field::INT64, cells, corners);
     writeArray ("types", Field::UINT8, 1, cells, [this] {
-      forEachCell ([this] (VtkCellType type, const auto&) {
+      forEachCell ([this] (VtkCellType type, const pcl::index_t*, const pcl::index_t*) {
         writer_.value (static_cast<std::uint8_t> (type));
         writer_.endRow ();
       });
@@ -214,6 +217,7 @@ private:
   ValueWriter writer_;
   const CloudFields& cloud_;
   const SimplicialComplex& complex_;
+  const FaceRows& polygons_;
   const bool ascii_;
   std::size_t offset_ = 0; ///< of the next array in the appended data
   std::vector<std::function<void ()>> appended_;
@@ -222,9 +226,9 @@ private:
 } // namespace
 
 void
-writeVtu (OutputFile& file, const CloudFields& cloud, const SimplicialComplex& complex, bool ascii)
+writeVtu (OutputFile& file, const CloudFields& cloud, const FileCells& cells, bool ascii)
 {
-  VtuWriter (file, cloud, complex, ascii).write ();
+  VtuWriter (file, cloud, cells, ascii).write ();
 }
 
 } // namespace manifold

@@ -24,9 +24,6 @@ struct DimensionParameters
   std::shared_ptr<const SampleDimensions> dimensions; ///< likewise: taken over as they are
 };
 
-/** \brief The relative precision of the coordinates of a cloud of floats. */
-constexpr double FLOAT_RESOLUTION = 5.9604644775390625e-08; // 2^-24
-
 /** \brief DimensionDetection without PCL: from coordinates to the dimensions of the samples.
  * \param[in] points coordinates of the points that the indices name, 3 x n
  * \param[in] indices of the points in the user's cloud, or empty for 0 .. n-1

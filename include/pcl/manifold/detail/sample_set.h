@@ -13,6 +13,9 @@
 namespace pcl {
 namespace manifold {
 
+/** \brief The relative precision of the coordinates of a cloud of floats. */
+constexpr double FLOAT_RESOLUTION = 5.9604644775390625e-08; // 2^-24
+
 /** \brief How a cloud is thinned to a sample that meets the (eps, delta) condition of Definition 2.1 of Dey,
  * Giesen, Goswami and Zhao. */
 struct Thinning

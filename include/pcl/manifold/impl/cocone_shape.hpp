@@ -4,6 +4,7 @@
 #include <pcl/conversions.h>
 #include <pcl/manifold/cocone_shape.h>
 #include <pcl/manifold/impl/cloud_points.hpp>
+#include <pcl/manifold/impl/guarded_input.hpp>
 
 template <typename PointT>
 void
@@ -12,18 +13,14 @@ pcl::CoconeShape<PointT>::reconstruct (pcl::SimplicialComplex& output)
   output.clear ();
   dimensions_.reset ();
   stages_.clear ();
-  if (!input_ || !initCompute ()) {
-    status_ = manifold::Status::NO_INPUT;
-  } else if (!manifold::areValid (*input_, *indices_)) {
-    status_ = manifold::Status::PARAMETER_OUT_OF_RANGE;
-    deinitCompute ();
-  } else {
-    manifold::StageLog log (parameters_.dimension.progress);
-    status_ = manifold::reconstructShape (manifold::cloudPoints (*input_, *indices_), *indices_,
-                                          manifold::FLOAT_RESOLUTION, parameters_, log, dimensions_, output);
-    stages_ = log.stages ();
-    deinitCompute ();
-  }
+  manifold::StageLog log (parameters_.dimension.progress);
+  status_ = manifold::onGuardedInput<PointT> (
+    input_, indices_, [this] { return initCompute (); }, [this] { return deinitCompute (); },
+    [&] {
+      return manifold::reconstructShape (manifold::cloudPoints (*input_, *indices_), *indices_,
+                                         manifold::FLOAT_RESOLUTION, parameters_, log, dimensions_, output);
+    });
+  stages_ = log.stages ();
   if (status_ != manifold::Status::OK)
     PCL_ERROR ("[pcl::CoconeShape::reconstruct] %s\n", manifold::toString (status_));
 }

@@ -4,6 +4,7 @@
 #include <pcl/impl/pcl_base.hpp> // for point types that PCL does not instantiate itself
 #include <pcl/manifold/dimension_detection.h>
 #include <pcl/manifold/impl/cloud_points.hpp>
+#include <pcl/manifold/impl/guarded_input.hpp>
 
 #include <limits>
 
@@ -14,19 +15,15 @@ pcl::DimensionDetection<PointT>::compute (pcl::PointCloud<pcl::Label>& output)
   output.clear ();
   result_.reset ();
   stages_.clear ();
-  if (!input_ || !initCompute ()) {
-    status_ = manifold::Status::NO_INPUT;
-  } else if (!manifold::areValid (*input_, *indices_)) {
-    status_ = manifold::Status::PARAMETER_OUT_OF_RANGE;
-    deinitCompute ();
-  } else {
-    output.header = input_->header;
-    manifold::StageLog log (parameters_.progress);
-    status_ = manifold::detectDimensions (manifold::cloudPoints (*input_, *indices_), *indices_,
-                                          manifold::FLOAT_RESOLUTION, parameters_, log, result_);
-    stages_ = log.stages ();
-    deinitCompute ();
-  }
+  manifold::StageLog log (parameters_.progress);
+  status_ = manifold::onGuardedInput<PointT> (
+    input_, indices_, [this] { return initCompute (); }, [this] { return deinitCompute (); },
+    [&] {
+      output.header = input_->header;
+      return manifold::detectDimensions (manifold::cloudPoints (*input_, *indices_), *indices_,
+                                         manifold::FLOAT_RESOLUTION, parameters_, log, result_);
+    });
+  stages_ = log.stages ();
   if (status_ != manifold::Status::OK) {
     PCL_ERROR ("[pcl::DimensionDetection::compute] %s\n", manifold::toString (status_));
     return;

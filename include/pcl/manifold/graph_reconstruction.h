@@ -1,0 +1,225 @@
+#pragma once
+
+#include <pcl/manifold/detail/cloud_graph.h>
+#include <pcl/manifold/detail/mesh_base.h>
+#include <pcl/manifold/detail/reconstruct_graph.h>
+#include <pcl/manifold/graph_faces.h>
+#include <pcl/manifold/graph_voronoi.h>
+#include <pcl/manifold/neighborhood_graph.h>
+#include <pcl/manifold/status.h>
+#include <pcl/point_representation.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl {
+
+/** \brief Reconstructs a surface over a subset of the points, the landmarks, from the neighbourhoods of the
+ * points alone.
+ *
+ * The algorithm of D. Dumitriu, S. Funke, M. Kutz, N. Milosavljevic, "How much geometry it takes to
+ * reconstruct a 2-manifold in R^3", section 2: (1) a graph of an edge from every point to its k nearest
+ * neighbours; (2) landmarks, a maximal set of points that are pairwise no fewer than some hops apart in it;
+ * (3) tiles, the points nearest to each landmark in hops; (4) landmarks whose tiles touch enough are
+ * adjacent; (5) faces, short cycles of adjacent landmarks. Coordinates take part in step 1 only, and in which
+ * diagonals cut larger faces into triangles.
+ *
+ * Faces are found by a rule of this library unless setFaceRule () asks for the published one.
+ *
+ * The points should sample a surface evenly, as dense as the thinnest part asks: parts nearer to each other
+ * than a few spacings grow together. Points that are not finite, and all but one of exact duplicates, are
+ * left out. What comes out is consistently oriented where it is orientable; in three dimensions outwards.
+ *
+ * On failure the output is empty and getStatus () says why: NO_INPUT, TOO_FEW_POINTS for fewer than three
+ * distinct points, DIMENSION_TOO_LOW where no face was found (the points lie along a curve, or are so few
+ * that fewer than three landmarks are left), PARAMETER_OUT_OF_RANGE, INPUT_TOO_COARSE, INPUT_OUT_OF_RANGE,
+ * CANCELLED.
+ *
+ * Time is that of a k nearest neighbour search, O (n log n), and about half of it again; memory about 220
+ * bytes a point. The result is the same, bit for bit, for any number of threads and, up to renumbering, for
+ * any order of the points.
+ *
+ * The class derives from pcl::MeshConstruction for PCL's own point types with x, y and z, and from its base
+ * pcl::PCLSurfaceBase, with the same functions, for all others: those need no PCL_NO_PRECOMPILE.
+ */
+template <typename PointT>
+class GraphReconstruction : public manifold::MeshBase<PointT>
+{
+public:
+  using Ptr = shared_ptr<GraphReconstruction<PointT>>;
+  using ConstPtr = shared_ptr<const GraphReconstruction<PointT>>;
+  using PointRepresentationConstPtr = typename PointRepresentation<PointT>::ConstPtr;
+
+  GraphReconstruction ()
+  {
+    // The base class would index the cloud again.
+    this->check_tree_ = false;
+  }
+
+  // setSearchMethod () of the base class: a search of the user's own finds the neighbours, one query after
+  // the other, with the distances that it knows. It is given the cloud and the indices of the distinct finite
+  // points. By default the points are sorted along a space-filling curve and searched in bulk, in parallel.
+
+  /** \brief The number of neighbours that each point is joined with (kappa in the paper).
+   * \param[in] k at least 1; 15 by default, as in section 3. A k of n or more joins every point with all
+   * others */
+  void setKSearch (int k) { parameters_.k_search = k; }
+
+  int getKSearch () const { return parameters_.k_search; }
+
+  /** \brief The least distance of two landmarks in hops (k in the paper): the larger, the coarser the mesh.
+   * \param[in] hops at least 1, which makes every point a landmark; 5 by default, as in section 4.3. 3 to 12
+   * are of use */
+  void setHops (int hops) { parameters_.hops = hops; }
+
+  int getHops () const { return parameters_.hops; }
+
+  /** \brief Tiles that touch by more than this are adjacent (a in the paper): too small, and adjacencies
+   * cross; too large, and faces grow.
+   * \param[in] threshold at least 0; 7 by default, as in section 3 */
+  void setAdjacencyThreshold (int threshold) { parameters_.adjacency_threshold = threshold; }
+
+  int getAdjacencyThreshold () const { return parameters_.adjacency_threshold; }
+
+  /** \brief What is compared with the threshold, see AdjacencyRule.
+   * \param[in] rule BOUNDARY_POINTS by default, as in section 3.1 */
+  void setAdjacencyRule (manifold::AdjacencyRule rule) { parameters_.adjacency_rule = rule; }
+
+  manifold::AdjacencyRule getAdjacencyRule () const { return parameters_.adjacency_rule; }
+
+  /** \brief How faces are found, see FaceRule.
+   * \param[in] rule ROTATION_SYSTEM by default; SHORTEST_CYCLES as published in section 3.1 */
+  void setFaceRule (manifold::FaceRule rule) { parameters_.face_rule = rule; }
+
+  manifold::FaceRule getFaceRule () const { return parameters_.face_rule; }
+
+  /** \brief The largest number of edges of a face: a longer cycle bounds a hole of the surface.
+   * \param[in] length at least 3; 8 by default */
+  void setMaximumFaceLength (int length) { parameters_.maximum_face_length = length; }
+
+  int getMaximumFaceLength () const { return parameters_.maximum_face_length; }
+
+  /** \brief Whether faces of more than three edges are cut into triangles.
+   * \param[in] triangulate true by default */
+  void setTriangulate (bool triangulate) { parameters_.triangulate = triangulate; }
+
+  bool getTriangulate () const { return parameters_.triangulate; }
+
+  /** \brief Chooses between the many maximal sets of landmarks.
+   * \param[in] seed any; 1 by default */
+  void setSeed (std::uint64_t seed) { parameters_.seed = seed; }
+
+  std::uint64_t getSeed () const { return parameters_.seed; }
+
+  /** \param[in] threads 0 = all cores (the default) */
+  void setNumberOfThreads (unsigned int threads) { parameters_.threads = threads; }
+
+  unsigned int getNumberOfThreads () const { return parameters_.threads; }
+
+  void setProgressCallback (manifold::ProgressCallback callback)
+  {
+    parameters_.progress = std::move (callback);
+  }
+
+  /** \brief A graph to be used instead of that of the nearest neighbours; no coordinates are needed then.
+   * Edges count both ways, once each, and self loops are left out; an index out of range is refused with
+   * PARAMETER_OUT_OF_RANGE.
+   *
+   * With an input cloud, vertex i is the i-th point of setIndices () (of the cloud if that was not called),
+   * and a graph of another size is refused with PARAMETER_OUT_OF_RANGE. Without one, the polygons and all
+   * getters index the vertices of the graph, and the mesh has no cloud.
+   * \param[in] graph null (the default) to go back to nearest neighbours */
+  void setNeighborhoodGraph (std::shared_ptr<const manifold::NeighborhoodGraph> graph)
+  {
+    given_graph_ = std::move (graph);
+  }
+
+  /** \brief Points of any dimension: distances are those of the vectors that this gives, instead of those of
+   * x, y and z. For point types without x, y and z it is needed, unless there is a graph. The default
+   * representation of such a type that leaves out all but its first three floats, as that of a histogram
+   * does, is refused with PARAMETER_OUT_OF_RANGE.
+   * \param[in] representation null (the default) for x, y and z */
+  void setPointRepresentation (PointRepresentationConstPtr representation)
+  {
+    representation_ = std::move (representation);
+  }
+
+  PointRepresentationConstPtr getPointRepresentation () const { return representation_; }
+
+  /** \brief The faces as polygons over all points of the input cloud.
+   * \param[out] output empty on failure */
+  void reconstruct (pcl::PolygonMesh& output) override;
+
+  /** \brief As above, polygons only. */
+  void reconstruct (std::vector<pcl::Vertices>& polygons) override;
+
+  /** \brief How the last reconstruct () ended. */
+  manifold::Status getStatus () const { return status_; }
+
+  // What the stages of the last reconstruct () gave. All of it is there for the status OK, all but faces for
+  // DIMENSION_TOO_LOW, and nothing otherwise.
+
+  /** \brief The index of every landmark in the input cloud. */
+  pcl::Indices getLandmarks () const;
+
+  /** \brief Per point (of those that setIndices () names, in their order) the number of its landmark, a
+   * position in getLandmarks (); -1 for points that are not finite. */
+  std::vector<pcl::index_t> getTiles () const;
+
+  /** \brief The pairs of landmarks, by their numbers, whose tiles touch, and whether that makes them
+   * adjacent. */
+  const std::vector<manifold::TileContact>& getAdjacency () const { return result_.contacts; }
+
+  /** \brief Edges, faces and holes over the numbers of landmarks; the faces as found, not triangulated. */
+  const manifold::LandmarkMesh& getLandmarkMesh () const { return result_.mesh; }
+
+  /** \brief Counts and genus of the mesh of landmarks, before it was triangulated (section 4.3). */
+  const manifold::LandmarkMeshReport& getReport () const { return result_.report; }
+
+  /** \brief The neighbourhood graph that was used. */
+  const manifold::NeighborhoodGraph& getNeighborhoodGraph () const { return cloud_graph_.graph; }
+
+  /** \brief Per vertex of the neighbourhood graph its index in the input cloud. */
+  const pcl::Indices& getVertices () const { return cloud_graph_.input_index; }
+
+  /** \brief Seconds and peak memory of each stage of the last reconstruct (). */
+  const std::vector<manifold::Stage>& getStages () const { return stages_; }
+
+protected:
+  using manifold::MeshBase<PointT>::input_;
+  using manifold::MeshBase<PointT>::indices_;
+  using manifold::MeshBase<PointT>::tree_;
+  using manifold::MeshBase<PointT>::initCompute;
+  using manifold::MeshBase<PointT>::deinitCompute;
+
+  void performReconstruction (pcl::PolygonMesh& output) override;
+
+  void performReconstruction (std::vector<pcl::Vertices>& polygons) override;
+
+  std::string getClassName () const override { return "GraphReconstruction"; }
+
+private:
+  // The stages, from the input to result_.
+  manifold::Status compute (manifold::StageLog& log);
+
+  // The first of them: the neighbourhood graph of the input cloud, or the one that was given.
+  manifold::Status makeGraph (manifold::StageLog& log);
+
+  // The search of setSearchMethod (), if there is one.
+  manifold::NeighborSearch givenSearch () const;
+
+  manifold::GraphParameters parameters_;
+  std::shared_ptr<const manifold::NeighborhoodGraph> given_graph_;
+  PointRepresentationConstPtr representation_;
+  manifold::CloudGraph cloud_graph_;
+  manifold::GraphMesh result_;
+  std::vector<manifold::Stage> stages_;
+  manifold::Status status_ = manifold::Status::NOT_COMPUTED;
+};
+
+} // namespace pcl
+
+#include <pcl/manifold/impl/graph_reconstruction.hpp>

@@ -1,0 +1,94 @@
+#include "app_error.h"
+#include "app_main.h"
+#include "atomic_file.h"
+#include "file_type.h"
+#include "graph_options.h"
+#include "graph_viewer_model.h"
+#include "graph_viewer_window.h"
+#include "picture_display.h"
+#include "sample_input.h"
+
+#include <pcl/manifold/complex_io.h>
+
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+
+using namespace pcl::manifold;
+using namespace pcl::manifold::apps;
+
+namespace {
+
+/** \brief A display, or a failure that tells the user what to do. */
+std::unique_ptr<PictureDisplay>
+openDisplay (const std::string& subject, bool interactive)
+{
+  try {
+    auto display = std::make_unique<PictureDisplay> ();
+    if (interactive && display->isVirtual ())
+      throw AppError (subject,
+                      "a window needs a display that VTK can draw on: set DISPLAY, or use -screenshot");
+    return display;
+  } catch (const std::runtime_error& error) {
+    if (dynamic_cast<const AppError*> (&error) != nullptr)
+      throw;
+    throw AppError (subject, error.what ());
+  }
+}
+
+} // namespace
+
+int
+main (int argc, char** argv)
+{
+  std::string help =
+    "Shows how a surface is reconstructed from the neighbourhoods of points, step by step, and "
+    "what\nthe parameters do. Keys:";
+  for (const std::string& line : GraphViewerModel::help ())
+    help += "\n  " + line;
+  CommandLine command_line ("pcl_graph_reconstruction_viewer", help);
+  std::string input_file;
+  std::string screenshot;
+  std::string keys;
+  GraphOptions options;
+  GraphViewerWindow::Outputs outputs{"graph_mesh.ply", "graph_picture.png"};
+  command_line.positional (
+    "INPUT", std::string ("cloud: ") + cloud_file_types + "; a .ply without header is read as text",
+    input_file);
+  options.declare (command_line);
+  command_line.option ("threads", "n", "0 = all", options.common.threads, {0, 1024})
+    .option ("mesh", "file", "where F2 saves the mesh: .ply .obj .vtk .vtu", outputs.mesh)
+    .option ("picture", "file", "where F3 saves the picture: .png", outputs.picture)
+    .option ("keys", "keys", "pressed at the beginning, separated by blanks: \"Right Right A\"", keys)
+    .option ("screenshot", "file", "write what the window shows to a .png instead of opening it", screenshot)
+    .flag ("quiet", "print nothing but errors", options.common.quiet)
+    .example ("pcl_graph_reconstruction_viewer scan.pcd -mesh mesh.ply")
+    .example (
+      "pcl_graph_reconstruction_viewer scan.pcd -keys \"Right Right Up\" -screenshot adjacencies.png");
+
+  return runApp (argc, argv, command_line, [&] {
+    options.complete ();
+    requireType ("-picture", outputs.picture, {".png"});
+    requireType ("-mesh", outputs.mesh, {".ply", ".obj", ".vtk", ".vtu"});
+    if (!screenshot.empty ()) {
+      requireType ("-screenshot", screenshot, {".png"});
+      checkWritable (screenshot);
+    }
+    const InputCloud input = readCloud (input_file, Reading::LAX);
+    printNotes (input, options.common.quiet);
+    const std::unique_ptr<PictureDisplay> display = openDisplay (input_file, screenshot.empty ());
+
+    GraphViewerModel model (input, options.parameters);
+    if (model.status () != Status::OK && model.status () != Status::DIMENSION_TOO_LOW)
+      requireOk (input_file, model.status ());
+    GraphViewerWindow window (model, std::filesystem::path (input_file).filename ().string (), outputs,
+                              screenshot.empty ());
+    std::istringstream words (keys);
+    for (std::string key; words >> key;)
+      window.press (key);
+    if (screenshot.empty ())
+      window.run ();
+    else
+      window.saveScreenshot (screenshot);
+  });
+}
