@@ -46,7 +46,7 @@ normalized (Walk walk)
 }
 
 inline std::multiset<Walk>
-normalized (const std::vector<Walk>& walks)
+normalizedAll (const std::vector<Walk>& walks)
 {
   std::multiset<Walk> result;
   for (const Walk& walk : walks)

@@ -26,7 +26,8 @@ systemOf (const TiledGraph& tiled, Random& random)
 {
   const ContactRows rows (tiled.tiles.size (), tiled.contacts);
   const MeetingPoints meetings (tiled.graph, tiled.tiles, tiled.tiles.size ());
-  TileRotations rotations (rows, meetings, pcl::manifold::FOLLOW_BIT);
+  TileRotations rotations (rows, meetings);
+  rotations.breakIntoArcs (rows, pcl::manifold::FOLLOW_BIT);
   std::vector<std::uint8_t> opposite = alignRotations (rows, meetings, rotations);
   for (const TileContact& contact : tiled.contacts)
     opposite[rows.find (contact.first, contact.second)] =

@@ -15,21 +15,19 @@ namespace manifold {
 
 namespace {
 
-using Contacts = std::vector<TileContact>;
-
 constexpr int SHORTEST_FACE = 3;
 
 // How much may speak against turning what makes a surface two-sided. To begin with, three tenths of a bit.
 constexpr std::int32_t FREE_TO_TURN = FOLLOW_BIT * 3 / 10;
-constexpr std::int32_t FREE_IF_ONE_SIDED[] = {FOLLOW_BIT, 2 * FOLLOW_BIT};
+constexpr std::int32_t FREE_IF_ONE_SIDED[] = {FOLLOW_BIT / 2, FOLLOW_BIT, FOLLOW_BIT * 3 / 2, FOLLOW_BIT * 2,
+                                              FOLLOW_BIT * 3};
 
-// The recipe of FaceRule::ROTATION_SYSTEM, step by step.
+// The graph of adjacent tiles, embedded in a surface.
 LandmarkMesh
-embed (const Contacts& contacts, std::size_t landmarks, const MeetingPoints& meetings, int maximum_length,
-       std::int32_t free_to_turn)
+embed (const ContactRows& rows, const MeetingPoints& meetings, TileRotations rotations,
+       std::int32_t free_to_turn, int maximum_length)
 {
-  const ContactRows rows (landmarks, contacts);
-  TileRotations rotations (rows, meetings, free_to_turn);
+  rotations.breakIntoArcs (rows, free_to_turn);
   const std::vector<std::uint8_t> opposite = alignRotations (rows, meetings, rotations);
   RotationSystem system (rows, rotations, opposite);
   const FaceWalks walks (rows, meetings, maximum_length, system);
@@ -52,13 +50,14 @@ public:
                         [] (const LandmarkComponent& component) { return !component.orientable; });
   }
 
-  Contacts contactsOf (const Contacts& contacts) const
+  // The contacts, those of one-sided components alone being adjacent.
+  ContactRows only (ContactRows rows) const
   {
-    Contacts result;
-    for (const TileContact& contact : contacts)
-      if (isOneSided (contact.first) && isOneSided (contact.second))
-        result.push_back (contact);
-    return result;
+    for (std::size_t tile = 0; tile < rows.tiles (); ++tile)
+      if (!isOneSided (static_cast<pcl::index_t> (tile)))
+        std::fill (rows.adjacent.begin () + static_cast<std::ptrdiff_t> (rows.starts[tile]),
+                   rows.adjacent.begin () + static_cast<std::ptrdiff_t> (rows.starts[tile + 1]), 0);
+    return rows;
   }
 
   void replaceBy (LandmarkMesh other)
@@ -107,17 +106,19 @@ private:
   MeshComponents parts_;
 };
 
+// The recipe of FaceRule::ROTATION_SYSTEM, step by step.
 LandmarkMesh
 findByRotations (const NeighborhoodGraph& graph, const std::vector<pcl::index_t>& tiles,
-                 std::size_t landmarks, const Contacts& contacts, int maximum_length)
+                 std::size_t landmarks, const std::vector<TileContact>& contacts, int maximum_length)
 {
+  const ContactRows rows (landmarks, contacts);
   const MeetingPoints meetings (graph, tiles, landmarks);
-  LandmarkMesh mesh = embed (contacts, landmarks, meetings, maximum_length, FREE_TO_TURN);
+  const TileRotations rotations (rows, meetings);
+  LandmarkMesh mesh = embed (rows, meetings, rotations, FREE_TO_TURN, maximum_length);
   OneSidedParts parts (mesh, landmarks);
   for (const std::int32_t free_to_turn : FREE_IF_ONE_SIDED)
     if (parts.any ())
-      parts.replaceBy (
-        embed (parts.contactsOf (contacts), landmarks, meetings, maximum_length, free_to_turn));
+      parts.replaceBy (embed (parts.only (rows), meetings, rotations, free_to_turn, maximum_length));
   return mesh;
 }
 
@@ -125,7 +126,7 @@ findByRotations (const NeighborhoodGraph& graph, const std::vector<pcl::index_t>
 
 LandmarkMesh
 findFaces (const NeighborhoodGraph& graph, const std::vector<pcl::index_t>& tiles, std::size_t landmarks,
-           const Contacts& contacts, FaceRule rule, int maximum_length, unsigned int threads)
+           const std::vector<TileContact>& contacts, FaceRule rule, int maximum_length, unsigned int threads)
 {
   LandmarkMesh mesh;
   withThreads (threads, [&] {

@@ -4,6 +4,7 @@
 #include "graph/cyclic_order.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace pcl {
@@ -27,9 +28,8 @@ logarithm (std::int32_t x)
 class RotationFinder
 {
 public:
-  RotationFinder (const ContactRows& rows, const MeetingPoints& meetings, std::int32_t free_to_turn,
-                  TileRotations& rotations)
-    : rows_ (rows), meetings_ (meetings), free_to_turn_ (free_to_turn), rotations_ (rotations)
+  RotationFinder (const ContactRows& rows, const MeetingPoints& meetings, TileRotations& rotations)
+    : rows_ (rows), meetings_ (meetings), rotations_ (rotations)
   {}
 
   void find (pcl::index_t tile)
@@ -41,8 +41,8 @@ public:
       findBest ();
     else
       findHeavy ();
-    breakIntoArcs ();
     store ();
+    findCosts ();
   }
 
 private:
@@ -104,50 +104,37 @@ private:
     return found != pairs_.end () && found->a == a && found->b == b ? found->weight : 0;
   }
 
-  // An arc of at least two neighbours, and as many outside, that it costs little to turn, ends at both sides.
-  void breakIntoArcs ()
+  void store ()
   {
-    breaks_.assign (size_, 0);
-    rotations_.whole[tile_] = 1;
+    for (std::size_t i = 0; i < size_; ++i) {
+      const std::size_t place = begin_ + i;
+      rotations_.contact_at[place] = begin_ + order_[i];
+      rotations_.place_of[begin_ + order_[i]] = place;
+      rotations_.meeting_points[place] = size_ < 2 ? 0 : meetingPoints (order_[i], after (i));
+      rotations_.arc[place] = begin_;
+    }
+  }
+
+  // Of parts of at least two neighbours that leave as many outside.
+  void findCosts ()
+  {
     if (size_ < 4 || size_ > CyclicOrder::MOST_THINGS)
       return;
-    const auto after = [this] (std::size_t i) { return order_[i + 1 < size_ ? i + 1 : 0]; };
     for (std::size_t i = 0; i < size_; ++i)
       for (std::size_t j = i + 2; j < size_ && j - i <= size_ - 2; ++j) {
         const std::int32_t cost =
           cyclic_.weight (order_[i], after (i)) + cyclic_.weight (order_[j], after (j)) -
           cyclic_.weight (order_[i], order_[j]) - cyclic_.weight (after (i), after (j));
-        if (cost < free_to_turn_)
-          breaks_[i] = breaks_[j] = 1;
+        for (const std::size_t end : {i, j})
+          rotations_.cost_of_turning[begin_ + end] =
+            std::min (rotations_.cost_of_turning[begin_ + end], cost);
       }
-    const auto last = std::find (breaks_.rbegin (), breaks_.rend (), 1);
-    if (last == breaks_.rend ())
-      return;
-    // Let the first arc begin at the first place.
-    rotations_.whole[tile_] = 0;
-    const std::ptrdiff_t shift = breaks_.rend () - last;
-    std::rotate (order_.begin (), order_.begin () + shift, order_.end ());
-    std::rotate (breaks_.begin (), breaks_.begin () + shift, breaks_.end ());
   }
 
-  void store ()
-  {
-    std::size_t arc = begin_;
-    for (std::size_t i = 0; i < size_; ++i) {
-      const std::size_t place = begin_ + i;
-      rotations_.contact_at[place] = begin_ + order_[i];
-      rotations_.place_of[begin_ + order_[i]] = place;
-      rotations_.meeting_points[place] =
-        size_ < 2 ? 0 : meetingPoints (order_[i], order_[i + 1 < size_ ? i + 1 : 0]);
-      rotations_.arc[place] = arc;
-      if (breaks_[i] != 0)
-        arc = place + 1;
-    }
-  }
+  std::uint32_t after (std::size_t i) const { return order_[i + 1 < size_ ? i + 1 : 0]; }
 
   const ContactRows& rows_;
   const MeetingPoints& meetings_;
-  const std::int32_t free_to_turn_;
   TileRotations& rotations_;
   pcl::index_t tile_ = 0;
   std::size_t begin_ = 0; ///< of the contacts of the tile
@@ -157,7 +144,6 @@ private:
   std::vector<FollowWeight> pairs_;  ///< those of many, in ascending order
   CyclicOrder cyclic_;
   std::vector<std::uint32_t> order_;
-  std::vector<std::uint8_t> breaks_;
 };
 
 } // namespace
@@ -168,19 +154,50 @@ followWeight (std::int32_t meeting_points, std::int32_t boundary_points)
   return 5 * logarithm (1 + meeting_points) + 2 * logarithm (1 + boundary_points);
 }
 
-TileRotations::TileRotations (const ContactRows& rows, const MeetingPoints& meetings,
-                              std::int32_t free_to_turn)
+TileRotations::TileRotations (const ContactRows& rows, const MeetingPoints& meetings)
   : contact_at (rows.tile.size ()), place_of (rows.tile.size ()), meeting_points (rows.tile.size ()),
-    arc (rows.tile.size ()), whole (rows.tiles ())
+    cost_of_turning (rows.tile.size (), std::numeric_limits<std::int32_t>::max ()), arc (rows.tile.size ()),
+    whole (rows.tiles (), 1)
 {
   parallelRanges (
     rows.tiles (),
     [&] (std::size_t begin, std::size_t end) {
-      RotationFinder finder (rows, meetings, free_to_turn, *this);
+      RotationFinder finder (rows, meetings, *this);
       for (std::size_t tile = begin; tile < end; ++tile)
         finder.find (static_cast<pcl::index_t> (tile));
     },
     TILES_PER_PIECE);
+}
+
+void
+TileRotations::breakIntoArcs (const ContactRows& rows, std::int32_t free_to_turn)
+{
+  const auto isEnd = [&] (std::size_t place) { return cost_of_turning[place] < free_to_turn; };
+  for (std::size_t tile = 0; tile < rows.tiles (); ++tile) {
+    const std::size_t begin = rows.starts[tile];
+    const std::size_t end = rows.starts[tile + 1];
+    std::size_t first = end;
+    while (first > begin && !isEnd (first - 1))
+      --first;
+    if (first == begin)
+      continue;
+    // The first arc begins at the first place.
+    whole[tile] = 0;
+    const auto rotate = [&] (auto& values) {
+      const auto at = [&values] (std::size_t i) { return values.begin () + static_cast<std::ptrdiff_t> (i); };
+      std::rotate (at (begin), at (first), at (end));
+    };
+    rotate (contact_at);
+    rotate (meeting_points);
+    rotate (cost_of_turning);
+    std::size_t current = begin;
+    for (std::size_t place = begin; place < end; ++place) {
+      place_of[contact_at[place]] = place;
+      arc[place] = current;
+      if (isEnd (place))
+        current = place + 1;
+    }
+  }
 }
 
 std::size_t

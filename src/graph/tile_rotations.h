@@ -24,15 +24,18 @@ constexpr std::int32_t FOLLOW_BIT = 1280;
  * that could as well be the other way round are arcs of their own. */
 struct TileRotations
 {
-  std::vector<std::size_t> contact_at;      ///< per place the contact that is there
-  std::vector<std::size_t> place_of;        ///< per contact its place
-  std::vector<std::int32_t> meeting_points; ///< per place, of the tile and those at this place and the next
-  std::vector<std::size_t> arc;             ///< per place the first one of its arc
-  std::vector<std::uint8_t> whole;          ///< per tile: is it one arc without ends?
+  std::vector<std::size_t> contact_at;       ///< per place the contact that is there
+  std::vector<std::size_t> place_of;         ///< per contact its place
+  std::vector<std::int32_t> meeting_points;  ///< per place, of the tile and those at this place and the next
+  std::vector<std::int32_t> cost_of_turning; ///< per place, the least of the parts that end there
+  std::vector<std::size_t> arc;              ///< per place the first one of its arc
+  std::vector<std::uint8_t> whole;           ///< per tile: is it one arc without ends?
 
-  /** Parallel over the tiles in the current arena.
-   * \param[in] free_to_turn a part of a rotation is an arc if less than this speaks against turning it */
-  TileRotations (const ContactRows& rows, const MeetingPoints& meetings, std::int32_t free_to_turn);
+  /** All but the arcs: every tile is one. Parallel over the tiles in the current arena. */
+  TileRotations (const ContactRows& rows, const MeetingPoints& meetings);
+
+  /** Makes arcs of the parts of rotations that less than this speaks against turning. */
+  void breakIntoArcs (const ContactRows& rows, std::int32_t free_to_turn);
 
   /** Turns an arc of a tile the other way round, within its places.
    * \return the end of its places */

@@ -36,14 +36,15 @@ struct LandmarkMesh
 };
 
 /** \brief Finds the faces of the mesh of adjacent tiles (section 3.1, "Face enumeration").
+ *
+ * SHORTEST_CYCLES looks for no cycle of more than 32 edges.
  * \param[in] graph proper
  * \param[in] tiles of graphVoronoiDiagram
  * \param[in] landmarks the number of landmarks
  * \param[in] contacts of tileContacts
  * \param[in] rule how
- * \param[in] maximum_length of a face, in edges, at least 3 (less counts as 3): a longer cycle is the
- * boundary of a hole. SHORTEST_CYCLES looks for none of more than 32 \param[in] threads 0 = all cores; the
- * result is the same for any number */
+ * \param[in] maximum_length of a face, in edges, 3 or more: a longer cycle is the boundary of a hole
+ * \param[in] threads 0 = all cores; the result is the same for any number */
 PCL_MANIFOLD_CORE_EXPORTS LandmarkMesh findFaces (const NeighborhoodGraph& graph,
                                                   const std::vector<pcl::index_t>& tiles,
                                                   std::size_t landmarks,
