@@ -231,6 +231,54 @@ TEST (Generate, EpsilonSampleHasAPointWithinEpsOfEveryPlace)
     ASSERT_TRUE (grid.anyWithin (draw (random), 0.3 * 0.4));
 }
 
+TEST (Generate, AdaptiveSampleIsAsDenseAsTheFeatureSizeAsks)
+{
+  const Eigen::Vector3d axes (1.0, 0.75, 0.5);
+  const Shape shape = ellipsoid (axes);
+  const auto size = [&axes] (const Eigen::Vector3d& place) { return ellipsoidFeatureSize (axes, place); };
+  const LabelledCloud cloud = adaptiveSample (shape, size, 0.3, 5);
+  expectSameBytes (cloud, adaptiveSample (shape, size, 0.3, 5));
+  PointGrid grid (0.15);
+  for (const Eigen::Vector3d& point : cloud.points) {
+    EXPECT_LT (shape.nearest (point).distance, 1e-9);
+    EXPECT_FALSE (grid.anyWithin (point, 0.9 * 0.3 * size (point))) << "more points than it takes";
+    grid.insert (point);
+  }
+  const UniformDraw draw (shape);
+  Random random (6);
+  for (int i = 0; i < 20000; ++i) {
+    const Eigen::Vector3d place = draw (random);
+    ASSERT_TRUE (grid.anyWithin (place, 0.3 * size (place)));
+  }
+}
+
+TEST (Generate, FeatureSizesAreDistancesToTheMedialAxis)
+{
+  const Eigen::Vector3d axes (1.0, 0.75, 0.5);
+  // Where the sharpest bends are, and above the middle.
+  EXPECT_NEAR (ellipsoidFeatureSize (axes, {1.0, 0.0, 0.0}), 0.25, 1e-12);
+  EXPECT_NEAR (ellipsoidFeatureSize (axes, {0.0, -0.75, 0.0}), 1.0 / 3.0, 1e-12);
+  EXPECT_NEAR (ellipsoidFeatureSize (axes, {0.0, 0.0, 0.5}), 0.5, 1e-12);
+  EXPECT_NEAR (torusFeatureSize (0.7, {0.3, 0.0, 0.0}), 0.3, 1e-12);
+  EXPECT_NEAR (torusFeatureSize (0.7, {0.0, 1.7, 0.0}), 0.7, 1e-12);
+  // Balls of that radius that touch the surface from either side are free of it.
+  Random random (1);
+  const auto expectFree = [&random] (const Shape& shape, const auto& size) {
+    const UniformDraw draw (shape);
+    for (int i = 0; i < 2000; ++i) {
+      const Eigen::Vector3d place = draw (random);
+      const double radius = size (place);
+      EXPECT_GE (radius, shape.feature_size - 1e-12);
+      const Eigen::Vector3d normal = shape.nearest (place).normal;
+      EXPECT_NEAR (shape.nearest (place + radius * normal).distance, radius, 1e-9);
+      EXPECT_NEAR (shape.nearest (place - radius * normal).distance, radius, 1e-9);
+    }
+  };
+  expectFree (ellipsoid (axes),
+              [&axes] (const Eigen::Vector3d& place) { return ellipsoidFeatureSize (axes, place); });
+  expectFree (torus (1.0, 0.7), [] (const Eigen::Vector3d& place) { return torusFeatureSize (0.7, place); });
+}
+
 TEST (Generate, MixedSceneIsFourShapesApart)
 {
   for (const LabelledCloud& cloud : {mixedScene (0.12, 1), mixedSceneRandom (1500, 1)}) {
@@ -292,6 +340,10 @@ TEST (Generate, BadArgumentsAreRefused)
   EXPECT_THROW (epsilonSample (shape, 0.0, 1), std::invalid_argument);
   EXPECT_THROW (epsilonSample (terrain (), 0.1, 1), std::invalid_argument);
   EXPECT_THROW (epsilonSample (segment (), 0.1, 1), std::invalid_argument);
+  for (const double eps : {0.0, -0.1, 1.0, std::nan ("")})
+    EXPECT_THROW (adaptiveSample (
+                    shape, [] (const Eigen::Vector3d&) { return 1.0; }, eps, 1),
+                  std::invalid_argument);
   EXPECT_THROW (shapeByName ("dodo"), std::invalid_argument);
   LabelledCloud cloud;
   EXPECT_THROW (addNoise (cloud, -1.0, 1), std::invalid_argument);

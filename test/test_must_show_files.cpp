@@ -1,12 +1,13 @@
 // Real clouds. They are no part of the sources: a test whose file is absent is skipped. They are looked for
 // in the folder that the environment variable PCL_MANIFOLD_DATA names and in libcgal-demo of Debian.
-#include "test_must_show_models.h"
+#include "test_must_show_fixed_points.h"
 
 #include <cloud_reader.h>
 
 #include <gtest/gtest.h>
 #include <pcl/conversions.h>
 #include <pcl/manifold/dimension_detection.h>
+#include <pcl/manifold/fixed_point_reconstruction.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -114,6 +115,20 @@ TEST_P (DemoMesh, IsClosedOnAllVertices)
   expected.orientable = true;
   expected.one_piece = true;
   expectShape (file, expected, 0.998);
+}
+
+TEST_P (DemoMesh, IsClosedByFixedPoints)
+{
+  const std::string file = DemoData::file (GetParam ().file);
+  if (file.empty ())
+    GTEST_SKIP () << GetParam ().file << " of libcgal-demo is not installed";
+  must_show::Expected expected = must_show::closed (GetParam ().euler, 1.0);
+  expected.orientable = true;
+  expected.one_piece = true;
+  pcl::FixedPointReconstruction<pcl::PointXYZ> defaults;
+  const must_show::FixedPointEvaluation evaluation = must_show::reconstructFixedPoint (
+    readPoints (file), {defaults.getCriticalRatio (), defaults.getVotes ()});
+  EXPECT_EQ (evaluation.surface.complaints (expected), "");
 }
 
 INSTANTIATE_TEST_SUITE_P (Files, DemoMesh,

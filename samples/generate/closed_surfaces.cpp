@@ -113,6 +113,30 @@ ellipsoid (const Eigen::Vector3d& half_axes)
   return shape;
 }
 
+double
+ellipsoidFeatureSize (const Eigen::Vector3d& half_axes, const Eigen::Vector3d& place)
+{
+  int shortest = 0;
+  const double smallest = half_axes.minCoeff (&shortest);
+  // The disk lies across the shortest axis; its rim is where the sharpest bends have their centres.
+  const double a = half_axes[(shortest + 1) % 3], b = half_axes[(shortest + 2) % 3];
+  const Eigen::Array2d disk ((a * a - smallest * smallest) / a, (b * b - smallest * smallest) / b);
+  const Eigen::Array2d p (std::abs (place[(shortest + 1) % 3]), std::abs (place[(shortest + 2) % 3]));
+  // The nearest place of the disk is disk^2 p / (disk^2 + t) with the smallest t that puts it there.
+  const auto nearest = [&] (double t) -> Eigen::Array2d { return disk.square () * p / (disk.square () + t); };
+  const auto outside = [&] (double t) { return (disk * p / (disk.square () + t)).square ().sum () > 1.0; };
+  Eigen::Array2d at = p;
+  if (outside (0.0)) {
+    double low = 0.0, high = (disk * p).matrix ().norm ();
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (low + high);
+      (outside (middle) ? low : high) = middle;
+    }
+    at = nearest (high);
+  }
+  return std::hypot ((p - at).matrix ().norm (), place[shortest]);
+}
+
 Shape
 torus (double big_radius, double small_radius)
 {
@@ -139,6 +163,12 @@ torus (double big_radius, double small_radius)
   };
   shape.feature_size = std::min (small_radius, big_radius - small_radius);
   return shape;
+}
+
+double
+torusFeatureSize (double small_radius, const Eigen::Vector3d& place)
+{
+  return std::min (small_radius, std::hypot (place.x (), place.y ()));
 }
 
 Shape

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 
 namespace generate {
 
@@ -35,6 +36,16 @@ LabelledCloud uniform (const Shape& shape, std::size_t count, std::uint64_t seed
  * noise at \a eps times Shape::feature_size.
  * \throws std::invalid_argument if the feature size is not known or infinite, or \a eps is not positive */
 LabelledCloud epsilonSample (const Shape& shape, double eps, std::uint64_t seed);
+
+/** \brief The local feature size at a place of a shape: a positive function that changes by no more than the
+ * distance between two places. */
+using FeatureSize = std::function<double (const Eigen::Vector3d& place)>;
+
+/** \brief As epsilonSample, but as sparse as the feature size allows at each place.
+ * \param[in] shape without strata
+ * \param[in] eps between 0 and 1; std::invalid_argument otherwise */
+LabelledCloud adaptiveSample (const Shape& shape, const FeatureSize& feature_size, double eps,
+                              std::uint64_t seed);
 
 /** \brief The spacing at which blueNoise gives about \a count points (within a few per cent;
  * of a solid up to 15 % fewer while its skin holds many of them).

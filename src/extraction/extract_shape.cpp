@@ -66,6 +66,33 @@ eraseSkins (const std::vector<std::uint8_t>& solid, bool watertight, FacetSet& s
   eraseToManifold (samples, surface);
 }
 
+// A cell goes over to the other colour where more of the changes of colour around it are candidates then, and
+// fewer are not: most often a flat cell whose upper sides are candidates, or whose lower ones are.
+void
+settleOnCandidates (const DelaunayComplex& complex, const FacetFlags& facets,
+                    std::vector<std::uint8_t>& colors)
+{
+  std::vector<std::int32_t> queue;
+  for (std::int32_t cell = complex.finite_cells; cell-- > 0;)
+    queue.push_back (cell);
+  while (!queue.empty ()) {
+    const std::int32_t cell = queue.back ();
+    queue.pop_back ();
+    int gain_candidates = 0;
+    int gain_others = 0;
+    for (int k = 0; k < 4; ++k) {
+      const bool changes = colors[cell] != colors[complex.neighbors[cell][k]];
+      (facets.contains (cell, k) ? gain_candidates : gain_others) += changes ? -1 : 1;
+    }
+    if (gain_candidates <= 0 || gain_others >= 0)
+      continue;
+    colors[cell] ^= 1;
+    for (const std::int32_t neighbor : complex.neighbors[cell])
+      if (!complex.isInfinite (neighbor))
+        queue.push_back (neighbor);
+  }
+}
+
 } // namespace
 
 SimplicialComplex
@@ -83,6 +110,8 @@ extractShape (const SampleDimensions& dimensions, bool watertight, StageLog& log
   const CellColors coloring = colorCells (dimensions, roles, solid_cells.certain, watertight);
 
   std::vector<std::uint8_t> colors = coloring.colors;
+  if (facets != nullptr)
+    settleOnCandidates (complex, *facets, colors);
 
   if (!log.begin ("repair", 0.8f))
     return {};
