@@ -35,6 +35,12 @@ StageLog::begin (const std::string& name, float fraction)
     stages_.push_back ({current_, std::chrono::duration<double> (now - start_).count (), peakBytes ()});
   current_ = name;
   start_ = now;
+  return proceed (fraction);
+}
+
+bool
+StageLog::proceed (float fraction)
+{
   if (callback_ && !cancelled_)
     cancelled_ = !callback_ (fraction);
   return !cancelled_;

@@ -1,3 +1,4 @@
+#include "common/large_pages.h"
 #include "delaunay/flat_complex.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -64,8 +65,8 @@ copyCells (T& triangulation, FlatCells& flat)
     handles.push_back (cell);
   }
   const auto infinite = triangulation.infinite_vertex ();
-  flat.vertices.resize (handles.size ());
-  flat.neighbors.resize (handles.size ());
+  assignLarge (flat.vertices, handles.size ());
+  assignLarge (flat.neighbors, handles.size ());
   parallelFor (handles.size (), [&] (std::size_t i) {
     for (int k = 0; k < 4; ++k) {
       const auto vertex = handles[i]->vertex (k);

@@ -1,5 +1,6 @@
 #include "delaunay/flat_complex.h"
 
+#include "common/large_pages.h"
 #include "delaunay/circumcenter.h"
 
 #include <algorithm>
@@ -92,7 +93,8 @@ canonicalOrder (const std::vector<Cell>& cells, std::int32_t samples)
   parallelFor (cells.size (),
                [&] (std::size_t i) { counts[bucketOf (cells[i])].fetch_add (1, std::memory_order_relaxed); });
   const std::vector<std::int32_t> offsets = offsetsOf (counts);
-  std::vector<OrderedCell> order (cells.size ());
+  std::vector<OrderedCell> order;
+  assignLarge (order, cells.size ());
   parallelFor (cells.size (), [&] (std::size_t i) {
     const std::size_t bucket = bucketOf (cells[i]);
     order[offsets[bucket] + counts[bucket].fetch_sub (1, std::memory_order_relaxed) - 1] = {
@@ -109,13 +111,14 @@ void
 orderCells (const FlatCells& flat, DelaunayComplex& complex)
 {
   const std::vector<OrderedCell> order = canonicalOrder (flat.vertices, complex.samples->size ());
-  std::vector<std::int32_t> new_number (order.size ());
-  complex.cells.resize (order.size ());
+  std::vector<std::int32_t> new_number;
+  assignLarge (new_number, order.size ());
+  assignLarge (complex.cells, order.size ());
   parallelFor (order.size (), [&] (std::size_t i) {
     complex.cells[i] = order[i].vertices;
     new_number[order[i].number] = static_cast<std::int32_t> (i);
   });
-  complex.neighbors.resize (order.size ());
+  assignLarge (complex.neighbors, order.size ());
   parallelFor (order.size (), [&] (std::size_t i) {
     const std::int32_t old = order[i].number;
     complex.neighbors[i] = permuted (flat.neighbors[old], canonicalPositions (flat.vertices[old]));
@@ -131,7 +134,7 @@ void
 computeCenters (DelaunayComplex& complex)
 {
   const Eigen::Matrix3Xd& points = complex.samples->points;
-  complex.centers.resize (3, static_cast<Eigen::Index> (complex.cells.size ()));
+  resizeLarge (complex.centers, 3, static_cast<Eigen::Index> (complex.cells.size ()));
   parallelFor (complex.cells.size (), [&] (std::size_t i) {
     const Cell& cell = complex.cells[i];
     const Eigen::Vector3d a = points.col (cell[0]);
@@ -166,7 +169,7 @@ collectIncidentCells (DelaunayComplex& complex)
     [&] (std::size_t piece) { forPiece (piece, [&] (std::int32_t v, std::int32_t) { ++offsets[v + 1]; }); },
     1);
   std::partial_sum (offsets.begin (), offsets.end (), offsets.begin ());
-  complex.incident_cells.resize (static_cast<std::size_t> (offsets.back ()));
+  assignLarge (complex.incident_cells, static_cast<std::size_t> (offsets.back ()));
   std::vector<std::int32_t> next (offsets.begin (), offsets.end () - 1);
   parallelFor (
     pieces,

@@ -17,10 +17,15 @@ constexpr pcl::index_t FEWEST_VERTICES = 3;
 
 // How far the whole computation is after this part of it: most of the time is the search's.
 constexpr float GRAPH_BEGINS = 0.05f;
+constexpr float GRAPH_ENDS = 0.55f;
+
+// So many queries of a search of the user's own are made before the user is asked whether to go on.
+constexpr std::size_t QUERIES_PER_QUESTION = 16384;
 
 /** Collects the neighbours of every vertex by a search of the user's own, each row in no order. */
 NeighborhoodGraph
-searchNeighbors (const CloudGraph& cloud, int k, const NeighborSearch& search)
+searchNeighbors (const CloudGraph& cloud, int k, const NeighborSearch& search,
+                 const ProgressCallback& progress)
 {
   const auto n = cloud.input_index.size ();
   const auto wanted = std::min<std::size_t> (static_cast<std::size_t> (k), n - 1);
@@ -35,6 +40,9 @@ searchNeighbors (const CloudGraph& cloud, int k, const NeighborSearch& search)
   pcl::Indices found;
   std::vector<pcl::index_t> row;
   for (std::size_t v = 0; v < n; ++v) {
+    if (v % QUERIES_PER_QUESTION == QUERIES_PER_QUESTION - 1 &&
+        !progress (static_cast<float> (v) / static_cast<float> (n)))
+      return {};
     // A search that does not keep to the vertices may answer with duplicates of a point alone: then more are
     // asked for.
     for (std::size_t count = wanted + 1;; count *= 2) {
@@ -73,10 +81,15 @@ make (Eigen::MatrixXd points, const pcl::Indices& indices, double resolution, in
 
   if (!log.begin ("neighbourhood graph", GRAPH_BEGINS))
     return Status::CANCELLED;
+  const auto progress = [&log] (float share) {
+    return log.proceed (GRAPH_BEGINS + (GRAPH_ENDS - GRAPH_BEGINS) * share);
+  };
   if (search.nearest)
-    status = symmetrize (searchNeighbors (cloud, k, search), threads, cloud.graph);
+    status = symmetrize (searchNeighbors (cloud, k, search, progress), threads, cloud.graph);
   else
-    status = nearestNeighborGraph (cloud.points, k, threads, cloud.graph);
+    status = nearestNeighborGraph (cloud.points, k, threads, cloud.graph, progress);
+  if (log.cancelled ())
+    return Status::CANCELLED;
   if (status == Status::OK)
     result = std::move (cloud);
   return status;

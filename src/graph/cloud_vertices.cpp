@@ -1,5 +1,7 @@
 #include "graph/cloud_vertices.h"
 
+#include "common/large_pages.h"
+
 #include <pcl/manifold/detail/sample_set.h>
 
 #include <algorithm>
@@ -13,12 +15,12 @@ namespace {
 Status
 findInSpace (Eigen::MatrixXd points, const pcl::Indices& indices, double resolution, CloudGraph& cloud)
 {
-  const Eigen::Matrix3Xd coordinates = points;
-  points.resize (0, 0); // every copy counts where there are many points
   SampleSet samples;
-  const Status status = makeSampleSet (coordinates, indices, Thinning (), resolution, samples);
+  const Status status = makeSampleSet (points, indices, Thinning (), resolution, samples);
   if (status != Status::OK)
     return status;
+  points.resize (0, 0); // every copy counts where there are many points
+  resizeLarge (cloud.points, samples.points.rows (), samples.points.cols ());
   cloud.points = samples.points;
   cloud.input_index = std::move (samples.input_index);
   cloud.vertex_of = std::move (samples.sample_of);

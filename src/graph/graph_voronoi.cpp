@@ -1,5 +1,6 @@
 #include <pcl/manifold/graph_voronoi.h>
 
+#include "common/large_pages.h"
 #include "common/parallel.h"
 
 #include <tbb/enumerable_thread_specific.h>
@@ -76,7 +77,8 @@ graphVoronoiDiagram (const NeighborhoodGraph& graph, const std::vector<pcl::inde
                      unsigned int threads)
 {
   const auto n = static_cast<std::size_t> (graph.size ());
-  std::vector<pcl::index_t> tiles (n, NO_TILE);
+  std::vector<pcl::index_t> tiles;
+  assignLarge (tiles, n, NO_TILE);
   for (std::size_t i = 0; i < landmarks.size (); ++i)
     tiles[landmarks[i]] = static_cast<pcl::index_t> (i);
   std::vector<pcl::index_t> level = landmarks;

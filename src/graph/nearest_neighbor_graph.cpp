@@ -1,6 +1,7 @@
 #include <pcl/manifold/neighborhood_graph.h>
 
 #include "common/guarded.h"
+#include "common/large_pages.h"
 #include "common/parallel.h"
 #include "graph/reverse_edges.h"
 #include "points/nearest_neighbors.h"
@@ -25,7 +26,7 @@ areInRange (const Eigen::Ref<const Eigen::MatrixXd>& points)
 
 Status
 nearestNeighborGraph (const Eigen::Ref<const Eigen::MatrixXd>& points, int k, unsigned int threads,
-                      NeighborhoodGraph& graph) noexcept
+                      NeighborhoodGraph& graph, const ProgressCallback& progress) noexcept
 {
   graph.offsets.clear ();
   graph.neighbors.clear ();
@@ -39,16 +40,20 @@ nearestNeighborGraph (const Eigen::Ref<const Eigen::MatrixXd>& points, int k, un
     const auto n = static_cast<std::size_t> (points.cols ());
     const std::size_t row = std::min (static_cast<std::size_t> (k), n - 1);
     NeighborhoodGraph result;
+    bool cancelled = false;
     withThreads (threads, [&] {
       NeighborhoodGraph directed;
-      directed.neighbors = kNearestNeighbors (points, static_cast<int> (row));
-      directed.offsets.resize (n + 1);
+      directed.neighbors = kNearestNeighbors (points, static_cast<int> (row), progress);
+      cancelled = directed.neighbors.size () != n * row;
+      if (cancelled)
+        return;
+      assignLarge (directed.offsets, n + 1);
       for (std::size_t i = 0; i <= n; ++i)
         directed.offsets[i] = i * row;
       result = withReverseEdges (directed);
     });
     graph = std::move (result);
-    return Status::OK;
+    return cancelled ? Status::CANCELLED : Status::OK;
   });
 }
 

@@ -1,5 +1,6 @@
 #include "graph/reverse_edges.h"
 
+#include "common/large_pages.h"
 #include "common/parallel.h"
 
 #include <atomic>
@@ -60,11 +61,11 @@ withReverseEdges (const NeighborhoodGraph& directed)
   const std::vector<std::vector<Edge>> missing = findMissing (directed, missing_at);
 
   NeighborhoodGraph graph;
-  graph.offsets.resize (n + 1, 0);
+  assignLarge (graph.offsets, n + 1);
   for (std::size_t v = 0; v < n; ++v)
     graph.offsets[v + 1] = graph.offsets[v] + (directed.offsets[v + 1] - directed.offsets[v]) +
                            static_cast<std::size_t> (missing_at[v].load (std::memory_order_relaxed));
-  graph.neighbors.resize (graph.offsets[n]);
+  assignLarge (graph.neighbors, graph.offsets[n]);
   const auto add = [&] (std::size_t piece) {
     for (const Edge& edge : missing[piece]) {
       const pcl::index_t before_end = missing_at[edge.from].fetch_sub (1, std::memory_order_relaxed);

@@ -1,5 +1,6 @@
 #include "points/kd_tree.h"
 
+#include "common/large_pages.h"
 #include "common/parallel.h"
 
 #include <tbb/parallel_invoke.h>
@@ -28,10 +29,11 @@ KdTree<D>::KdTree (const Eigen::Ref<const Eigen::MatrixXd>& points)
   std::iota (index_.begin (), index_.end (), 0);
   boxes_.resize (4 * leaves () * static_cast<std::size_t> (dimension ()));
   {
-    std::vector<Key> keys (size ());
+    std::vector<Key> keys;
+    assignLarge (keys, size ());
     split (points, 1, keys);
   }
-  coordinates_.resize (static_cast<std::size_t> (dimension ()) * size ());
+  assignLarge (coordinates_, static_cast<std::size_t> (dimension ()) * size ());
   parallelFor (size (), [&] (std::size_t i) {
     for (int axis = 0; axis < dimension (); ++axis)
       coordinates_[static_cast<std::size_t> (axis) * size () + i] = points (axis, index_[i]);

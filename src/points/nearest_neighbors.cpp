@@ -1,9 +1,11 @@
 #include "points/nearest_neighbors.h"
 
+#include "common/large_pages.h"
 #include "common/parallel.h"
 #include "points/kd_tree.h"
 #include "points/neighbors_of_leaf.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace pcl {
@@ -12,20 +14,31 @@ namespace manifold {
 namespace {
 
 constexpr std::size_t LEAVES_PER_TASK = 128;
+
+// A few hundred thousand points: so that one who cancels waits for less than a second.
+constexpr std::size_t LEAVES_PER_QUESTION = 32768;
 constexpr std::size_t QUERIES_PER_TASK = 4096;
 
 template <int D>
 std::vector<pcl::index_t>
-neighborsOfAll (const Eigen::Ref<const Eigen::MatrixXd>& points, std::size_t k)
+neighborsOfAll (const Eigen::Ref<const Eigen::MatrixXd>& points, std::size_t k,
+                const ProgressCallback& progress)
 {
   const KdTree<D> tree (points);
-  std::vector<pcl::index_t> neighbors (tree.size () * k);
-  const auto search = [&] (std::size_t begin, std::size_t end) {
-    NeighborsOfLeaf<D> neighbors_of_leaf (tree, k);
-    for (std::size_t leaf = begin; leaf < end; ++leaf)
-      neighbors_of_leaf.find (tree.leaves () + leaf, neighbors.data ());
-  };
-  parallelRanges (tree.leaves (), search, LEAVES_PER_TASK);
+  std::vector<pcl::index_t> neighbors;
+  assignLarge (neighbors, tree.size () * k);
+  for (std::size_t done = 0; done < tree.leaves ();) {
+    const std::size_t piece = std::min (tree.leaves () - done, LEAVES_PER_QUESTION);
+    const auto search = [&] (std::size_t begin, std::size_t end) {
+      NeighborsOfLeaf<D> neighbors_of_leaf (tree, k);
+      for (std::size_t leaf = begin; leaf < end; ++leaf)
+        neighbors_of_leaf.find (tree.leaves () + done + leaf, neighbors.data ());
+    };
+    parallelRanges (piece, search, LEAVES_PER_TASK);
+    done += piece;
+    if (progress && !progress (static_cast<float> (done) / static_cast<float> (tree.leaves ())))
+      return {};
+  }
   return neighbors;
 }
 
@@ -75,12 +88,13 @@ private:
 } // namespace
 
 std::vector<pcl::index_t>
-kNearestNeighbors (const Eigen::Ref<const Eigen::MatrixXd>& points, int k)
+kNearestNeighbors (const Eigen::Ref<const Eigen::MatrixXd>& points, int k, const ProgressCallback& progress)
 {
   if (points.cols () == 0 || k < 1)
     return {};
-  return points.rows () == 3 ? neighborsOfAll<3> (points, static_cast<std::size_t> (k))
-                             : neighborsOfAll<Eigen::Dynamic> (points, static_cast<std::size_t> (k));
+  const auto neighbors = static_cast<std::size_t> (k);
+  return points.rows () == 3 ? neighborsOfAll<3> (points, neighbors, progress)
+                             : neighborsOfAll<Eigen::Dynamic> (points, neighbors, progress);
 }
 
 std::vector<std::int32_t>

@@ -1,5 +1,6 @@
 #include <pcl/manifold/detail/sample_set.h>
 
+#include "common/large_pages.h"
 #include "common/parallel.h"
 #include "points/nearest_neighbors.h"
 #include "points/space_filling_order.h"
@@ -116,11 +117,40 @@ keepOnly (const std::vector<std::uint8_t>& kept, SampleSet& samples)
   samples.input_index = std::move (kept_index);
 }
 
+// Makes every distinct point a sample, in their order along a space-filling curve.
+void
+mergeDuplicates (const Eigen::Matrix3Xd& points, const std::vector<std::int32_t>& number,
+                 const pcl::Indices& indices, SampleSet& samples)
+{
+  const std::vector<std::int32_t> order = spaceFillingOrder (points);
+  // Equal points follow each other: every one whose predecessor is another starts a sample.
+  std::vector<std::int32_t> sample_at;
+  assignLarge (sample_at, order.size ());
+  parallelFor (order.size (), [&] (std::size_t i) {
+    sample_at[i] = i > 0 && points.col (order[i]) != points.col (order[i - 1]) ? 1 : 0;
+  });
+  std::partial_sum (sample_at.begin (), sample_at.end (), sample_at.begin ());
+
+  const std::int32_t count = sample_at.back () + 1;
+  resizeLarge (samples.points, 3, count);
+  assignLarge (samples.input_index, static_cast<std::size_t> (count));
+  samples.duplicates = order.size () - static_cast<std::size_t> (count);
+  parallelFor (order.size (), [&] (std::size_t i) {
+    const std::int32_t sample = sample_at[i];
+    const std::int32_t original = number[order[i]];
+    samples.sample_of[original] = sample;
+    if (i > 0 && sample == sample_at[i - 1])
+      return;
+    samples.points.col (sample) = points.col (order[i]);
+    samples.input_index[sample] = indices.empty () ? original : indices[original];
+  });
+}
+
 } // namespace
 
 Status
-makeSampleSet (const Eigen::Matrix3Xd& points, const pcl::Indices& indices, const Thinning& thinning,
-               double resolution, SampleSet& samples)
+makeSampleSet (const Eigen::Ref<const Eigen::Matrix3Xd>& points, const pcl::Indices& indices,
+               const Thinning& thinning, double resolution, SampleSet& samples)
 {
   samples = SampleSet ();
   if (thinning.k_search < 0 || !(thinning.spacing >= 0.0) || !std::isfinite (thinning.spacing))
@@ -145,32 +175,21 @@ makeSampleSet (const Eigen::Matrix3Xd& points, const pcl::Indices& indices, cons
 
   SampleSet result;
   result.non_finite = static_cast<std::size_t> (points.cols ()) - finite.size ();
+  assignLarge (result.sample_of, static_cast<std::size_t> (points.cols ()), -1);
   result.origin = chooseOrigin (low, high);
   const double extent = (high - low).maxCoeff ();
   if (extent > 0.0)
     result.scale = std::ldexp (1.0, std::clamp (-std::ilogb (extent), -1000, 1000));
 
-  Eigen::Matrix3Xd shifted (3, finite.size ());
+  Eigen::Matrix3Xd shifted;
+  resizeLarge (shifted, 3, static_cast<Eigen::Index> (finite.size ()));
   parallelFor (finite.size (), [&] (std::size_t i) {
     // Adding zero turns -0 into 0, so that equal coordinates are equal bit for bit.
     shifted.col (i) =
       ((points.col (finite[i]) - result.origin) * result.scale + Eigen::Vector3d::Zero ()).eval ();
   });
 
-  const std::vector<std::int32_t> order = spaceFillingOrder (shifted);
-  result.sample_of.assign (static_cast<std::size_t> (points.cols ()), -1);
-  result.points.resize (3, finite.size ());
-  std::int32_t count = 0;
-  for (const std::int32_t i : order) {
-    if (count == 0 || result.points.col (count - 1) != shifted.col (i)) {
-      result.points.col (count++) = shifted.col (i);
-      result.input_index.push_back (indices.empty () ? finite[i] : indices[finite[i]]);
-    }
-    result.sample_of[finite[i]] = count - 1;
-  }
-  result.points.conservativeResize (3, count);
-  result.duplicates = finite.size () - static_cast<std::size_t> (count);
-
+  mergeDuplicates (shifted, finite, indices, result);
   const double largest = std::max (low.cwiseAbs ().maxCoeff (), high.cwiseAbs ().maxCoeff ());
   if (isTooCoarse (result, largest, resolution))
     return Status::INPUT_TOO_COARSE;

@@ -1,5 +1,6 @@
 #include "points/space_filling_order.h"
 
+#include "common/large_pages.h"
 #include "common/parallel.h"
 
 #include <tbb/parallel_sort.h>
@@ -45,7 +46,8 @@ spaceFillingOrder (const Eigen::Matrix3Xd& points)
   const double extent = (points.rowwise ().maxCoeff () - low).maxCoeff ();
   const double cells = extent > 0.0 ? (std::ldexp (1.0, BITS_PER_AXIS) - 1.0) / extent : 0.0;
 
-  std::vector<Key> keys (n);
+  std::vector<Key> keys;
+  assignLarge (keys, n);
   parallelFor (n, [&] (std::size_t i) {
     const Eigen::Vector3d cell = (points.col (i) - low) * cells;
     keys[i].code = spread (static_cast<std::uint64_t> (cell.x ())) |
@@ -62,8 +64,9 @@ spaceFillingOrder (const Eigen::Matrix3Xd& points)
     return a.index < b.index;
   });
 
-  std::vector<std::int32_t> order (n);
-  std::transform (keys.begin (), keys.end (), order.begin (), [] (const Key& key) { return key.index; });
+  std::vector<std::int32_t> order;
+  assignLarge (order, n);
+  parallelFor (n, [&] (std::size_t i) { order[i] = keys[i].index; });
   return order;
 }
 

@@ -60,11 +60,13 @@ PCL_MANIFOLD_CORE_EXPORTS Status symmetrize (const NeighborhoodGraph& directed, 
  * \param[in] k at least 1; a k of n or more stands for n - 1
  * \param[in] threads 0 = all cores; the result is the same for any number
  * \param[out] graph proper; empty unless the answer is Status::OK
+ * \param[in] progress if there is one, asked now and then with the share that is done
  * \return PARAMETER_OUT_OF_RANGE for k < 1, NO_INPUT for no point, INPUT_OUT_OF_RANGE for coordinates that
- * are not finite or so large that squared distances are not. Does not throw. */
+ * are not finite or so large that squared distances are not, CANCELLED where progress answered false. Does
+ * not throw. */
 PCL_MANIFOLD_CORE_EXPORTS Status nearestNeighborGraph (const Eigen::Ref<const Eigen::MatrixXd>& points, int k,
-                                                       unsigned int threads,
-                                                       NeighborhoodGraph& graph) noexcept;
+                                                       unsigned int threads, NeighborhoodGraph& graph,
+                                                       const ProgressCallback& progress = {}) noexcept;
 
 } // namespace manifold
 } // namespace pcl

@@ -60,9 +60,9 @@ struct SampleSet
  * the origin, INPUT_OUT_OF_RANGE where the extent of the points overflows
  *
  * O (n log n), plus one k-nearest-neighbour search of every point where thinning asks for it. */
-PCL_MANIFOLD_CORE_EXPORTS Status makeSampleSet (const Eigen::Matrix3Xd& points, const pcl::Indices& indices,
-                                                const Thinning& thinning, double resolution,
-                                                SampleSet& samples);
+PCL_MANIFOLD_CORE_EXPORTS Status makeSampleSet (const Eigen::Ref<const Eigen::Matrix3Xd>& points,
+                                                const pcl::Indices& indices, const Thinning& thinning,
+                                                double resolution, SampleSet& samples);
 
 } // namespace manifold
 } // namespace pcl

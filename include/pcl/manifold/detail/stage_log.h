@@ -33,6 +33,10 @@ public:
    * \return false if the user cancelled */
   PCL_MANIFOLD_CORE_EXPORTS bool begin (const std::string& name, float fraction);
 
+  /** \brief Tells how far the stage that is under way is.
+   * \return false if the user cancelled */
+  PCL_MANIFOLD_CORE_EXPORTS bool proceed (float fraction);
+
   bool cancelled () const { return cancelled_; }
 
   const std::vector<Stage>& stages () const { return stages_; }
