@@ -105,9 +105,9 @@ TEST_F (GraphApp, ReportsTheMesh)
   EXPECT_EQ (json["result"]["components"][0], mesh);
   EXPECT_EQ (json["result"]["polygons"].asUInt (), triangles ("out.ply"));
   EXPECT_EQ (json["result"]["polygons"].asInt (), 2 * mesh["landmarks"].asInt () - 4);
-  ASSERT_EQ (json["stages"].size (), 7U);
+  ASSERT_EQ (json["stages"].size (), 8U);
   EXPECT_EQ (json["stages"][0]["name"], "points");
-  EXPECT_EQ (json["stages"][6]["name"], "triangulation");
+  EXPECT_EQ (json["stages"][7]["name"], "triangulation");
   EXPECT_TRUE (contains (outcome.out, "genus")) << outcome.out;
 }
 

@@ -32,6 +32,7 @@ TEST (GraphReconstruction, HasTheDefaultsOfThePaper)
   const pcl::GraphReconstruction<pcl::PointXYZ> object;
   EXPECT_EQ (object.getKSearch (), 15);
   EXPECT_EQ (object.getHops (), 5);
+  EXPECT_TRUE (object.getRefine ());
   EXPECT_EQ (object.getAdjacencyThreshold (), 7);
   EXPECT_EQ (object.getAdjacencyRule (), AdjacencyRule::BOUNDARY_POINTS);
   EXPECT_EQ (object.getFaceRule (), FaceRule::ROTATION_SYSTEM);
@@ -68,6 +69,7 @@ TEST (GraphReconstruction, RemembersItsParameters)
   EXPECT_TRUE (run ());
   run.object.setKSearch (12);
   run.object.setHops (4);
+  run.object.setRefine (false);
   run.object.setAdjacencyThreshold (5);
   run.object.setAdjacencyRule (AdjacencyRule::LINKING_EDGES);
   run.object.setFaceRule (FaceRule::SHORTEST_CYCLES);
@@ -79,6 +81,7 @@ TEST (GraphReconstruction, RemembersItsParameters)
   EXPECT_EQ (run.object.getStatus (), Status::OK);
   EXPECT_EQ (run.object.getKSearch (), 12);
   EXPECT_EQ (run.object.getHops (), 4);
+  EXPECT_FALSE (run.object.getRefine ());
   EXPECT_EQ (run.object.getAdjacencyThreshold (), 5);
   EXPECT_EQ (run.object.getAdjacencyRule (), AdjacencyRule::LINKING_EDGES);
   EXPECT_EQ (run.object.getFaceRule (), FaceRule::SHORTEST_CYCLES);
@@ -151,6 +154,7 @@ TEST (GraphReconstruction, HopsFromOneToBeyondTheDiameter)
   run ();
   EXPECT_EQ (run.object.getLandmarks ().size (), sphere.size ());
   run.object.setHops (1000);
+  run.object.setRefine (false);
   run ();
   EXPECT_EQ (run.object.getStatus (), Status::DIMENSION_TOO_LOW);
   EXPECT_TRUE (run.polygons.empty ());

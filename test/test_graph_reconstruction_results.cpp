@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <pcl/manifold/topology_report.h>
 
+#include <tuple>
+
 namespace {
 
 using namespace graph_runs;
@@ -62,6 +64,32 @@ INSTANTIATE_TEST_SUITE_P (Shapes, ClosedSurfaces,
                           testing::Values (std::pair ("sphere", 0), std::pair ("torus", 1),
                                            std::pair ("genus3", 3)),
                           [] (const auto& tested) { return std::string (tested.param.first); });
+
+// Where landmarks at five hops from each other are too few, there are more of them.
+TEST (GraphReconstruction, SmallAndThinSurfacesHaveTheirGenus)
+{
+  const auto thin = [] (double radius, double spacing) {
+    return floats (generate::blueNoise (generate::torus (1.0, radius), spacing, 3));
+  };
+  for (const auto& [name, points, genus] :
+       {std::tuple ("small sphere", evenly ("sphere", 200), 0),
+        std::tuple ("small torus", thin (0.4, 0.13), 1), std::tuple ("thin torus", thin (0.15, 0.05), 1)}) {
+    SCOPED_TRACE (name);
+    Reconstruction run;
+    run.object.setInputCloud (cloudOf (points));
+    run.object.setHops (5);
+    run.object.setRefine (false);
+    run ();
+    const std::size_t uniform = run.object.getLandmarks ().size ();
+    run.object.setRefine (true);
+    EXPECT_FALSE (run ());
+    EXPECT_GT (run.object.getLandmarks ().size (), uniform);
+    const LandmarkComponent& total = run.object.getReport ().total;
+    EXPECT_EQ (total.genus (), genus);
+    EXPECT_TRUE (total.orientable);
+    EXPECT_EQ (total.edges_in_two_faces, total.edges);
+  }
+}
 
 /** Six times the volume that triangles enclose, the sum over the cones from the origin. */
 double

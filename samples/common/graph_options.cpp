@@ -54,6 +54,9 @@ GraphOptions::declare (CommandLine& command_line)
              {1, 100000})
     .option ("hops", "k", "least distance of two landmarks in hops: the larger, the coarser the mesh",
              parameters.hops, {1, 100000})
+    .flag ("uniform",
+           "that distance everywhere, as published: no more landmarks on thin parts and small surfaces",
+           uniform_)
     .option ("a", "a", "tiles that touch by more than this are adjacent", parameters.adjacency_threshold,
              {0, 1e9})
     .option ("rule", "rule",
@@ -75,6 +78,7 @@ GraphOptions::complete ()
 {
   findRule ("-rule", rule_, ADJACENCY_RULES, parameters.adjacency_rule);
   findRule ("-faces", faces_, FACE_RULES, parameters.face_rule);
+  parameters.refine = !uniform_;
   parameters.triangulate = !polygons_;
   parameters.threads = static_cast<unsigned int> (common.threads);
 }
@@ -84,6 +88,7 @@ GraphOptions::describe (Report& report) const
 {
   report.parameter ("k", parameters.k_search);
   report.parameter ("hops", parameters.hops);
+  report.parameter ("uniform", !parameters.refine);
   report.parameter ("a", parameters.adjacency_threshold);
   report.parameter ("rule", nameOf (parameters.adjacency_rule));
   report.parameter ("faces", nameOf (parameters.face_rule));

@@ -30,6 +30,7 @@ struct GraphOptions
   {
     object.setKSearch (parameters.k_search);
     object.setHops (parameters.hops);
+    object.setRefine (parameters.refine);
     object.setAdjacencyThreshold (parameters.adjacency_threshold);
     object.setAdjacencyRule (parameters.adjacency_rule);
     object.setFaceRule (parameters.face_rule);
@@ -42,6 +43,7 @@ struct GraphOptions
 private:
   std::string rule_ = "points";
   std::string faces_ = "rotation";
+  bool uniform_ = false;
   bool polygons_ = false;
 };
 

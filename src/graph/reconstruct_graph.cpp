@@ -37,6 +37,21 @@ pointsOf (const std::vector<pcl::index_t>& landmarks, const Eigen::Ref<const Eig
   return result.allFinite () ? result : Eigen::MatrixXd ();
 }
 
+/** The tiles of the landmarks, and which of them touch. \return false if the user cancelled */
+bool
+makeTiles (const NeighborhoodGraph& graph, const GraphParameters& parameters, float fraction, StageLog& log,
+           GraphMesh& result)
+{
+  if (!log.begin ("graph Voronoi diagram", fraction))
+    return false;
+  result.tiles = graphVoronoiDiagram (graph, result.landmarks, parameters.threads);
+  if (!log.begin ("adjacency", fraction + 0.03f))
+    return false;
+  result.contacts = tileContacts (graph, result.landmarks, result.tiles, parameters.adjacency_rule,
+                                  parameters.adjacency_threshold, parameters.threads);
+  return true;
+}
+
 /** The recipe, step by step. */
 Status
 reconstruct (const NeighborhoodGraph& graph, const Eigen::Ref<const Eigen::MatrixXd>& points,
@@ -45,15 +60,21 @@ reconstruct (const NeighborhoodGraph& graph, const Eigen::Ref<const Eigen::Matri
   if (!log.begin ("stable set", 0.6f))
     return Status::CANCELLED;
   result.landmarks = maximalStableSet (graph, parameters.hops, parameters.seed, parameters.threads);
-
-  if (!log.begin ("graph Voronoi diagram", 0.8f))
+  if (!makeTiles (graph, parameters, 0.7f, log, result))
     return Status::CANCELLED;
-  result.tiles = graphVoronoiDiagram (graph, result.landmarks, parameters.threads);
 
-  if (!log.begin ("adjacency", 0.85f))
-    return Status::CANCELLED;
-  result.contacts = tileContacts (graph, result.landmarks, result.tiles, parameters.adjacency_rule,
-                                  parameters.adjacency_threshold, parameters.threads);
+  if (parameters.refine) {
+    if (!log.begin ("refinement", 0.8f))
+      return Status::CANCELLED;
+    std::vector<pcl::index_t> refined =
+      refineLandmarks (graph, parameters.hops, parameters.seed, result.landmarks, result.tiles,
+                       result.contacts, parameters.threads);
+    if (refined.size () > result.landmarks.size ()) {
+      result.landmarks = std::move (refined);
+      if (!makeTiles (graph, parameters, 0.85f, log, result))
+        return Status::CANCELLED;
+    }
+  }
 
   if (!log.begin ("faces", 0.9f))
     return Status::CANCELLED;

@@ -77,6 +77,14 @@ public:
 
   int getHops () const { return parameters_.hops; }
 
+  /** \brief Whether there are more landmarks where those of a maximal k-hop stable set would be too few to
+   * tell the topology: on thin tubes and handles, in narrow gaps and on small clouds, see refineLandmarks ().
+   * Of this library. \param[in] refine true by default; false for the same distance everywhere, as published
+   */
+  void setRefine (bool refine) { parameters_.refine = refine; }
+
+  bool getRefine () const { return parameters_.refine; }
+
   /** \brief Tiles that touch by more than this are adjacent (a in the paper): too small, and adjacencies
    * cross; too large, and faces grow.
    * \param[in] threshold at least 0; 7 by default, as in section 3 */

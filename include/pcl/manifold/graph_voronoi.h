@@ -60,5 +60,30 @@ PCL_MANIFOLD_CORE_EXPORTS std::vector<TileContact> tileContacts (const Neighborh
                                                                  AdjacencyRule rule, int threshold,
                                                                  unsigned int threads);
 
+/** \brief Adds landmarks where tiles could not tell the topology of the surface: on thin tubes and handles,
+ * beside narrow gaps, and on small surfaces. Of this library, not in the paper.
+ *
+ * The rings around a landmark, the vertices at each number of hops from it, hang together as long as the ball
+ * inside of them is a disk; where the ball reaches around a tube they fall in two, each at least a quarter of
+ * the whole. In a mesh of landmarks, all tiles around a tile have to be a disk: so landmarks should be no
+ * further apart than 5/8 of the radius of the largest disk, less than k hops then, but never less than 3.
+ * Vertices within 3/5 k hops of such a landmark become landmarks in the order of the priorities of
+ * maximalStableSet, at that smaller distance from others; and those are looked at likewise, until there are
+ * no new ones.
+ *
+ * Only landmarks around which the tiles do not look like a disk are looked at: those at one step from a tile,
+ * or those at two, which do not hang together by contacts or are not there.
+ * \param[in] graph proper
+ * \param[in] hops k, as for maximalStableSet; there is nothing to add for 3 or less
+ * \param[in] seed of the priorities
+ * \param[in] landmarks of maximalStableSet
+ * \param[in] tiles of graphVoronoiDiagram
+ * \param[in] contacts of tileContacts, by any rule
+ * \param[in] threads 0 = all cores; the result is the same for any number
+ * \return all landmarks, in ascending order */
+PCL_MANIFOLD_CORE_EXPORTS std::vector<pcl::index_t> refineLandmarks (
+  const NeighborhoodGraph& graph, int hops, std::uint64_t seed, const std::vector<pcl::index_t>& landmarks,
+  const std::vector<pcl::index_t>& tiles, const std::vector<TileContact>& contacts, unsigned int threads);
+
 } // namespace manifold
 } // namespace pcl

@@ -19,6 +19,7 @@ struct GraphParameters
 {
   int k_search = 15;
   int hops = 5;
+  bool refine = true;
   int adjacency_threshold = 7;
   AdjacencyRule adjacency_rule = AdjacencyRule::BOUNDARY_POINTS;
   FaceRule face_rule = FaceRule::ROTATION_SYSTEM;
