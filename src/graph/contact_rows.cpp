@@ -31,6 +31,33 @@ ContactRows::ContactRows (std::size_t tiles, const std::vector<TileContact>& con
   }
 }
 
+void
+ContactRows::limitAdjacency (std::size_t most)
+{
+  std::vector<std::size_t> row;
+  std::vector<std::uint8_t> dropped (tile.size (), 0);
+  for (std::size_t t = 0; t < tiles (); ++t) {
+    if (starts[t + 1] - starts[t] <= most)
+      continue;
+    row.clear ();
+    for (std::size_t contact = starts[t]; contact < starts[t + 1]; ++contact)
+      if (adjacent[contact] != 0)
+        row.push_back (contact);
+    if (row.size () <= most)
+      continue;
+    const auto kept = row.begin () + static_cast<std::ptrdiff_t> (most);
+    std::nth_element (row.begin (), kept, row.end (), [this] (std::size_t a, std::size_t b) {
+      return boundary_points[a] != boundary_points[b] ? boundary_points[a] > boundary_points[b] : a < b;
+    });
+    for (auto contact = kept; contact != row.end (); ++contact)
+      dropped[*contact] = 1;
+  }
+  for (std::size_t t = 0; t < tiles (); ++t)
+    for (std::size_t contact = starts[t]; contact < starts[t + 1]; ++contact)
+      if (dropped[contact] != 0 && dropped[find (tile[contact], static_cast<pcl::index_t> (t))] != 0)
+        adjacent[contact] = 0;
+}
+
 std::size_t
 ContactRows::find (pcl::index_t of, pcl::index_t other) const
 {

@@ -23,6 +23,10 @@ struct ContactRows
   /** \param[in] contacts in ascending order, as tileContacts gives them */
   ContactRows (std::size_t tiles, const std::vector<TileContact>& contacts);
 
+  /** Leaves those tiles adjacent of which one is among so many that the other one touches by most boundary
+   * points; of equal ones, those with the smaller numbers. */
+  void limitAdjacency (std::size_t most);
+
   std::size_t tiles () const { return starts.size () - 1; }
 
   std::size_t size (pcl::index_t of) const { return starts[of + 1] - starts[of]; }

@@ -17,10 +17,15 @@ namespace {
 
 constexpr int SHORTEST_FACE = 3;
 
+// On a surface tiles are adjacent to six others or so. Where there are far more there is no surface, and the
+// more of them are taken, the longer it takes to find out.
+constexpr std::size_t MOST_ADJACENT = 64;
+
 // How much may speak against turning what makes a surface two-sided. To begin with, three tenths of a bit.
 constexpr std::int32_t FREE_TO_TURN = FOLLOW_BIT * 3 / 10;
-constexpr std::int32_t FREE_IF_ONE_SIDED[] = {FOLLOW_BIT / 2, FOLLOW_BIT, FOLLOW_BIT * 3 / 2, FOLLOW_BIT * 2,
-                                              FOLLOW_BIT * 3};
+constexpr std::int32_t FREE_IF_ONE_SIDED[] = {FOLLOW_BIT / 2,     FOLLOW_BIT * 3 / 4, FOLLOW_BIT,
+                                              FOLLOW_BIT * 3 / 2, FOLLOW_BIT * 2,     FOLLOW_BIT * 5 / 2,
+                                              FOLLOW_BIT * 3,     FOLLOW_BIT * 7 / 2, FOLLOW_BIT * 4};
 
 // The graph of adjacent tiles, embedded in a surface.
 LandmarkMesh
@@ -89,7 +94,9 @@ private:
 
   static bool isBetter (const LandmarkComponent& a, const LandmarkComponent& b)
   {
-    return a.orientable && a.vertices == b.vertices && eulerWithoutHoles (a) >= eulerWithoutHoles (b);
+    // A one-sided sheet must not become a two-sided one by a boundary more.
+    return a.orientable && a.vertices == b.vertices && a.boundary_loops <= b.boundary_loops &&
+           eulerWithoutHoles (a) >= eulerWithoutHoles (b);
   }
 
   // Moves what is replaced from one mesh to the other.
@@ -111,7 +118,8 @@ LandmarkMesh
 findByRotations (const NeighborhoodGraph& graph, const std::vector<pcl::index_t>& tiles,
                  std::size_t landmarks, const std::vector<TileContact>& contacts, int maximum_length)
 {
-  const ContactRows rows (landmarks, contacts);
+  ContactRows rows (landmarks, contacts);
+  rows.limitAdjacency (MOST_ADJACENT);
   const MeetingPoints meetings (graph, tiles, landmarks);
   const TileRotations rotations (rows, meetings);
   LandmarkMesh mesh = embed (rows, meetings, rotations, FREE_TO_TURN, maximum_length);
