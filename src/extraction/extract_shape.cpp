@@ -1,9 +1,11 @@
 #include "extraction/extract_shape.h"
 
 #include "extraction/cell_coloring.h"
+#include "extraction/color_changes.h"
 #include "extraction/color_repair.h"
 #include "extraction/curves.h"
 #include "extraction/one_sided.h"
+#include "extraction/outer_walk.h"
 #include "extraction/solids.h"
 #include "extraction/surface_growth.h"
 #include "extraction/surface_opening.h"
@@ -93,6 +95,24 @@ settleOnCandidates (const DelaunayComplex& complex, const FacetFlags& facets,
   }
 }
 
+// Moves the changes of colour onto the candidates of another method as far as possible.
+void
+keepToCandidates (const DelaunayComplex& complex, const FacetFlags& facets, std::vector<std::uint8_t>& colors)
+{
+  settleOnCandidates (complex, facets, colors);
+  const std::vector<Facet> changes = colorChanges (complex, colors);
+  if (complex.affine_dimension < 3 ||
+      std::all_of (changes.begin (), changes.end (),
+                   [&] (const Facet& facet) { return facets.contains (facet.cell, facet.facet); }))
+    return;
+  // Where the walk that the theory knows of encloses all samples, too, by as many triangles, both surfaces
+  // have the same Euler characteristic, and that of the walk is made of candidates only. With more triangles
+  // or fewer it has webs between parts, or fills handles, which the colours by poles have not.
+  std::vector<std::uint8_t> walked;
+  if (walkOutside (complex, facets, walked) && colorChanges (complex, walked).size () == changes.size ())
+    colors = std::move (walked);
+}
+
 } // namespace
 
 SimplicialComplex
@@ -108,10 +128,9 @@ extractShape (const SampleDimensions& dimensions, bool watertight, StageLog& log
   const SurfaceCandidates candidates (dimensions, roles, facets);
   const SolidCells solid_cells = findSolidCells (dimensions, roles);
   const CellColors coloring = colorCells (dimensions, roles, solid_cells.certain, watertight);
-
   std::vector<std::uint8_t> colors = coloring.colors;
   if (facets != nullptr)
-    settleOnCandidates (complex, *facets, colors);
+    keepToCandidates (complex, *facets, colors);
 
   if (!log.begin ("repair", 0.8f))
     return {};
