@@ -13,11 +13,11 @@ cd "$root"
 
 say () { echo "[$(printf '%4d' "$SECONDS") s] $*"; }
 
-say "1/6 dependencies"
+say "1/7 dependencies"
 cmake/install_dependencies.sh build samples
 
 jobs=$(cmake/build_jobs.sh)
-say "2/6 build, release, $jobs at once (the first time takes minutes)"
+say "2/7 build, release, $jobs at once (the first time takes minutes)"
 cmake --preset release --log-level=WARNING > /dev/null
 cmake --build --preset release --parallel "$jobs"
 mkdir -p "$out/clouds"
@@ -36,7 +36,7 @@ unpack_real_clouds () {
   tar -xzf "$archive" -C "$scratch" data/points_3 data/meshes
 }
 
-say "3/6 clouds"
+say "3/7 clouds"
 "$bin/generate_cloud" scene "$out/clouds/scene.pcd" -spacing 0.05
 "$bin/generate_cloud" lidar-aerial "$out/clouds/lidar-aerial.pcd"
 "$bin/generate_cloud" genus3 "$out/clouds/genus3.pcd" -n 100000 -sampling random
@@ -51,35 +51,28 @@ else
     "libcgal-demo could not be downloaded; going on with the generated clouds alone"
 fi
 
-# Both take the name of a cloud and then options of the app. Pictures are drawn on a virtual display.
-dimension () {
-  local name=${1%.*}
-  say "dimension of $1"
-  xvfb-run -a "$bin/pcl_dimension_detection" "$out/clouds/$1" "$out/$name-dimension.pcd" "${@:2}" \
-    -report "$out/$name-dimension.json" -picture "$out/$name-dimension.png"
+# Runs an app on a cloud, with options of the app; the results are named after both. Pictures are drawn on a
+# virtual display.
+run () {
+  local app=$1 kind=$2 cloud=$3 type=$4
+  say "$kind of $cloud"
+  xvfb-run -a "$bin/$app" "$out/clouds/$cloud" "$out/${cloud%.*}-$kind.$type" "${@:5}" \
+    -report "$out/${cloud%.*}-$kind.json" -picture "$out/${cloud%.*}-$kind.png"
 }
-shape () {
-  local name=${1%.*}
-  say "shape of $1"
-  xvfb-run -a "$bin/pcl_cocone_shape" "$out/clouds/$1" "$out/$name-shape.ply" "${@:2}" \
-    -report "$out/$name-shape.json" -picture "$out/$name-shape.png"
-}
+dimension () { run pcl_dimension_detection dimension "$1" pcd "${@:2}"; }
+shape () { run pcl_cocone_shape shape "$1" ply "${@:2}"; }
+graph () { run pcl_graph_reconstruction graph "$1" ply "${@:2}"; }
+fixed_point () { run pcl_fixed_point_reconstruction fixed-point "$1" ply "${@:2}"; }
+landmarks () { run landmarks_to_mesh landmarks "$1" ply "${@:2}"; }
 
-graph () {
-  local name=${1%.*}
-  say "coarse mesh of $1"
-  xvfb-run -a "$bin/pcl_graph_reconstruction" "$out/clouds/$1" "$out/$name-graph.ply" "${@:2}" \
-    -report "$out/$name-graph.json" -picture "$out/$name-graph.png"
-}
-
-say "4/6 dimension: which points lie on curves, on surfaces, in solids"
+say "4/7 dimension: which points lie on curves, on surfaces, in solids"
 dimension scene.pcd
 dimension lidar-aerial.pcd
 if [ ${#real[@]} -gt 0 ]; then
   dimension b9_training.ply -k 4
 fi
 
-say "5/6 shape: edges, triangles and tetrahedra"
+say "5/7 shape: edges, triangles and tetrahedra"
 shape scene.pcd
 if [ ${#real[@]} -gt 0 ]; then
   shape kitten.xyz
@@ -88,10 +81,18 @@ if [ ${#real[@]} -gt 0 ]; then
   shape b9_training.ply -k 4
 fi
 
-say "6/6 a coarse mesh from graph distances alone"
+say "6/7 a coarse mesh from graph distances alone"
 graph genus3.pcd
 if [ ${#real[@]} -gt 0 ]; then
   graph bunny00.off
+  graph knot1.off
+fi
+
+say "7/7 a surface over all points, with a guarantee; and one that grows out of a coarse mesh"
+fixed_point genus3.pcd
+if [ ${#real[@]} -gt 0 ]; then
+  fixed_point bunny00.off
+  landmarks kitten.xyz
 fi
 
 say "done. In $out:"

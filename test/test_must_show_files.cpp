@@ -8,6 +8,7 @@
 #include <pcl/conversions.h>
 #include <pcl/manifold/dimension_detection.h>
 #include <pcl/manifold/fixed_point_reconstruction.h>
+#include <pcl/manifold/graph_reconstruction.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
@@ -129,6 +130,29 @@ TEST_P (DemoMesh, IsClosedByFixedPoints)
   const must_show::FixedPointEvaluation evaluation = must_show::reconstructFixedPoint (
     readPoints (file), {defaults.getCriticalRatio (), defaults.getVotes ()});
   EXPECT_EQ (evaluation.surface.complaints (expected), "");
+}
+
+TEST_P (DemoMesh, HasItsGenusByGraphDistances)
+{
+  const std::string file = DemoData::file (GetParam ().file);
+  if (file.empty ())
+    GTEST_SKIP () << GetParam ().file << " of libcgal-demo is not installed";
+  pcl::GraphReconstruction<pcl::PointXYZ> reconstruction;
+  reconstruction.setInputCloud (readCloud<pcl::PointXYZ> (file));
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+    for (const int hops : {3, 5}) {
+      SCOPED_TRACE (std::to_string (hops) + " hops, seed " + std::to_string (seed));
+      reconstruction.setSeed (seed);
+      reconstruction.setHops (hops);
+      std::vector<pcl::Vertices> polygons;
+      reconstruction.reconstruct (polygons);
+      ASSERT_EQ (reconstruction.getStatus (), pcl::manifold::Status::OK);
+      const pcl::manifold::LandmarkMeshReport& report = reconstruction.getReport ();
+      EXPECT_EQ (report.components.size (), 1U);
+      EXPECT_EQ (2.0 - 2.0 * report.total.genus (), GetParam ().euler);
+      EXPECT_EQ (report.total.edges_in_two_faces, report.total.edges);
+      EXPECT_TRUE (report.total.orientable);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P (Files, DemoMesh,
