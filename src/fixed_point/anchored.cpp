@@ -22,6 +22,14 @@ isFinite (const DelaunayComplex& complex, const Facet& facet)
 bool
 isObtuse (const Piece& triangle)
 {
+  // Most are so by far: plain doubles tell, whose rounding is less than this share of the squares by far.
+  constexpr double MARGIN = 1e-10;
+  const Eigen::Vector3d sides[3] = {triangle[1] - triangle[0], triangle[2] - triangle[1],
+                                    triangle[0] - triangle[2]};
+  const double squares = sides[0].squaredNorm () + sides[1].squaredNorm () + sides[2].squaredNorm ();
+  for (int i = 0; i < 3; ++i)
+    if (sides[i].dot (sides[(i + 1) % 3]) > MARGIN * squares)
+      return true;
   const NumberVector<FilteredNumber> ab = difference<FilteredNumber> (triangle[1], triangle[0]);
   const NumberVector<FilteredNumber> bc = difference<FilteredNumber> (triangle[2], triangle[1]);
   const NumberVector<FilteredNumber> ca = difference<FilteredNumber> (triangle[0], triangle[2]);

@@ -22,8 +22,10 @@ PieceWalk::find (const Piece& piece, std::int32_t start)
 {
   begin (piece);
   std::int32_t sample = nearestSample (piece[0], start);
+  crossed_.clear ();
   for (int i = 0; i < 3; ++i)
-    sample = walkSegment (piece[i], piece[(i + 1) % 3], sample, NO_SAMPLE);
+    sample = walkSegment (piece[i], piece[(i + 1) % 3], sample, NO_SAMPLE, crossed_);
+  std::for_each (crossed_.begin (), crossed_.end (), [this] (const Face& face) { push (face); });
   spread ();
   return found_;
 }
@@ -35,13 +37,9 @@ PieceWalk::find (const Facet& facet)
   begin ({point (samples[0]), point (samples[1]), point (samples[2])});
   bool all_gabriel = true;
   for (int i = 0; i < 3; ++i) {
-    const Face side{samples[i], samples[(i + 1) % 3], facet.cell};
-    if (isGabriel (side)) {
-      push (side);
-    } else {
-      all_gabriel = false;
-      walkSegment (piece_[i], piece_[(i + 1) % 3], samples[i], samples[(i + 1) % 3]);
-    }
+    const Side& side = crossedBy ({samples[i], samples[(i + 1) % 3], facet.cell});
+    all_gabriel = all_gabriel && side.gabriel;
+    std::for_each (side.faces.begin (), side.faces.end (), [this] (const Face& face) { push (face); });
   }
   // From the middle of each side, which is inside of the face between its ends, to the circumcentre the
   // triangle stays in that face: where the centre is inside of its Voronoi edge, it meets no other one.
@@ -77,7 +75,7 @@ PieceWalk::nearestSample (const Eigen::Vector3d& where, std::int32_t start) cons
 
 std::int32_t
 PieceWalk::walkSegment (const Eigen::Vector3d& from, const Eigen::Vector3d& to, std::int32_t start,
-                        std::int32_t end)
+                        std::int32_t end, std::vector<Face>& faces)
 {
   for (std::int32_t sample = start; sample != end;) {
     const Eigen::Vector3d center = point (sample);
@@ -93,15 +91,32 @@ PieceWalk::walkSegment (const Eigen::Vector3d& from, const Eigen::Vector3d& to, 
     });
     if (next == NO_SAMPLE) {
       for (const std::int32_t q : touched_)
-        push ({sample, q, cellAt (sample, q)});
+        faces.push_back ({sample, q, cellAt (sample, q)});
       return sample;
     }
     // Where it crosses several faces at once one of them is enough: the others are found from there. Every
     // step leads to a sample nearer to the end of the segment.
-    push ({sample, next, cellAt (sample, next)});
+    faces.push_back ({sample, next, cellAt (sample, next)});
     sample = next;
   }
   return end;
+}
+
+const PieceWalk::Side&
+PieceWalk::crossedBy (const Face& edge)
+{
+  const std::uint64_t key = keyOf (edge.p, edge.q);
+  Side& side = sides_[(key * 0x9e3779b97f4a7c15u >> 32) % REMEMBERED_SIDES];
+  if (side.key == key)
+    return side;
+  side.key = key;
+  side.faces.clear ();
+  side.gabriel = isGabriel (edge);
+  if (side.gabriel)
+    side.faces.push_back (edge);
+  else
+    walkSegment (point (edge.p), point (edge.q), edge.p, edge.q, side.faces);
+  return side;
 }
 
 bool
@@ -126,9 +141,7 @@ PieceWalk::cellAt (std::int32_t p, std::int32_t q) const
 void
 PieceWalk::push (const Face& face)
 {
-  const auto smaller = static_cast<std::uint64_t> (std::min (face.p, face.q));
-  const auto larger = static_cast<std::uint64_t> (std::max (face.p, face.q));
-  if (faces_.insert (smaller << 32 | larger))
+  if (faces_.insert (keyOf (face.p, face.q)))
     pending_.push_back (face);
 }
 

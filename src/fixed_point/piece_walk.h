@@ -7,7 +7,9 @@
 
 #include <pcl/manifold/detail/delaunay_complex.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -27,7 +29,7 @@ class PieceWalk
 {
 public:
   /** \param[in] complex of affine dimension 2 or 3 */
-  explicit PieceWalk (const DelaunayComplex& complex) : complex_ (complex) {}
+  explicit PieceWalk (const DelaunayComplex& complex) : complex_ (complex), sides_ (REMEMBERED_SIDES) {}
 
   /** The triangles, each as the facet of its cell with the smaller number, in no particular order; valid
    * until the next call.
@@ -47,6 +49,24 @@ private:
     std::int32_t cell;
   };
 
+  /** The Voronoi faces that a Delaunay edge crosses: its own dual one alone where it is Gabriel. */
+  struct Side
+  {
+    std::uint64_t key = NO_KEY;
+    bool gabriel = false;
+    std::vector<Face> faces;
+  };
+
+  static constexpr std::uint64_t NO_KEY = ~std::uint64_t (0);
+
+  /** A power of two. Two triangles at an edge are most often asked for soon after each other. */
+  static constexpr std::size_t REMEMBERED_SIDES = 1024;
+
+  static std::uint64_t keyOf (std::int32_t p, std::int32_t q)
+  {
+    return static_cast<std::uint64_t> (std::min (p, q)) << 32 | static_cast<std::uint64_t> (std::max (p, q));
+  }
+
   Eigen::Vector3d point (std::int32_t sample) const { return complex_.samples->points.col (sample); }
 
   void begin (const Piece& piece);
@@ -56,9 +76,13 @@ private:
   /** Adds the faces that a segment crosses; where it ends on faces, these, too.
    * \param[in] start a sample whose Voronoi cell has the start of the segment in it
    * \param[in] end the sample that the segment ends at, or -1 if it is none
+   * \param[in,out] faces that they are added to
    * \return a sample whose cell has the end of the segment in it */
   std::int32_t walkSegment (const Eigen::Vector3d& from, const Eigen::Vector3d& to, std::int32_t start,
-                            std::int32_t end);
+                            std::int32_t end, std::vector<Face>& faces);
+
+  /** The faces that a Delaunay edge crosses, valid until the next call. */
+  const Side& crossedBy (const Face& edge);
 
   /** Whether the segment from p to q meets no Voronoi cells but those of p and q, and its middle is inside of
    * the face. */
@@ -83,6 +107,8 @@ private:
   std::vector<Face> pending_;
   std::vector<Facet> found_;
   std::vector<std::int32_t> touched_;
+  std::vector<Side> sides_;
+  std::vector<Face> crossed_;
   EdgeRing ring_;
   std::vector<FaceFilter::Excesses> excesses_;
 };
