@@ -36,6 +36,7 @@ TEST_P (Guarantee, HoldsForDenseSamples)
     Closeness closeness;
     EXPECT_EQ (guaranteeComplaints (surface, points, evaluation, closeness), "") << "seed " << seed;
     EXPECT_GT (closeness.distance, 0.0);
+    EXPECT_EQ (sausageComplaints (surface, points, evaluation, seed), "") << "seed " << seed;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <generate/catalogue.h>
 #include <generate/closed_surfaces.h>
+#include <generate/random.h>
 #include <generate/sampling.h>
 
 #include <pcl/manifold/detail/reconstruct_fixed_point.h>
@@ -188,6 +189,45 @@ guaranteeComplaints (const SmoothSurface& surface, const Eigen::Matrix3Xd& point
     complaints += " distance " + std::to_string (closeness.distance) + " of the feature size";
   if (closeness.angle > bounds.angle)
     complaints += " angle " + std::to_string (closeness.angle);
+  return complaints;
+}
+
+/** \brief Lemma 5: what is wrong with the fixed points that rough meshes in the sausage around a surface lead
+ * to; empty if nothing is. Each mesh is the reconstruction with its vertices moved off the surface, at
+ * random, by up to a share of the feature size; there are two, by up to 0.2 and 0.6 of it. */
+inline std::string
+sausageComplaints (const SmoothSurface& surface, const Eigen::Matrix3Xd& points,
+                   const FixedPointEvaluation& evaluation, std::uint64_t seed)
+{
+  using namespace pcl::manifold;
+  const DelaunayComplex& complex = *evaluation.result.complex;
+  generate::Random random (seed);
+  std::string complaints;
+  for (const double share : {0.2, 0.6}) {
+    FlatPieces mesh;
+    mesh.vertices.resize (3, points.cols ());
+    for (Eigen::Index i = 0; i < points.cols (); ++i) {
+      const generate::Nearest nearest = surface.shape.nearest (points.col (i));
+      const double offset = random.uniform (-share, share) * surface.feature_size (nearest.point);
+      mesh.vertices.col (i) =
+        (nearest.point + offset * nearest.normal - complex.samples->origin) * complex.samples->scale;
+    }
+    for (const auto& triangle : evaluation.surface.shape.triangles)
+      mesh.triangles.push_back ({triangle[0], triangle[1], triangle[2]});
+    FacetFlags start;
+    if (restrictedDelaunay (complex, mesh, start) != Status::OK)
+      return " rough mesh refused";
+    const FixedPoint fixed = fixedPoint (complex, start);
+    if (restrictedDelaunay (complex, fixed.facets) != fixed.facets)
+      complaints += " no fixed point";
+    for (std::size_t i = 0; i < fixed.facets.mask.size (); ++i)
+      if ((fixed.facets.mask[i] & ~evaluation.result.found.facets.mask[i]) != 0) {
+        complaints += " fixed point from " + std::to_string (share) + " outside of the complex";
+        break;
+      }
+    if (facetShape (complex, fixed.facets).triangles.size () < evaluation.surface.shape.triangles.size ())
+      complaints += " fixed point from " + std::to_string (share) + " with gaps";
+  }
   return complaints;
 }
 
