@@ -195,7 +195,7 @@ main (int argc, char** argv)
   command_line
     .positional ("SHAPE", "what to sample: a shape, scene, lidar-aerial or lidar-terrestrial; see -list",
                  asked.shape)
-    .positional ("OUT", "the cloud, fields x y z label: .pcd", asked.file)
+    .positional ("OUTPUT", "the cloud, fields x y z label: .pcd", asked.file)
     .option ("n", "points",
              "about how many points (of the scene: on its sphere).\n"
              "0 = 10 000, and 200 000 for lidar",

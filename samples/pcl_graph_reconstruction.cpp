@@ -92,8 +92,9 @@ main (int argc, char** argv)
       reconstruction.reconstruct (mesh.polygons);
     }
     if (reconstruction.getStatus () == Status::DIMENSION_TOO_LOW)
-      throw AppError (input_file, "no face was found: its points lie on no surface, or are too few for " +
-                                    std::to_string (options.parameters.hops) + " hops, see -hops");
+      throw AppError (input_file,
+                      "no face was found: its points lie on no surface, or tiles are too few or touch "
+                      "too little, see -hops, -a and -k");
     requireOk (input_file, reconstruction.getStatus ());
 
     Report report ("pcl_graph_reconstruction");

@@ -11,8 +11,10 @@
 #include <pcl/manifold/complex_io.h>
 
 #include <filesystem>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 using namespace pcl::manifold;
 using namespace pcl::manifold::apps;
@@ -62,12 +64,20 @@ main (int argc, char** argv)
     .option ("keys", "keys", "pressed at the beginning, separated by blanks: \"Right Right A\"", keys)
     .option ("screenshot", "file", "write what the window shows to a .png instead of opening it", screenshot)
     .flag ("quiet", "print nothing but errors", options.common.quiet)
+    .writes ("-mesh", outputs.mesh)
+    .writes ("-picture", outputs.picture)
+    .writes ("-screenshot", screenshot)
     .example ("pcl_graph_reconstruction_viewer scan.pcd -mesh mesh.ply")
     .example (
       "pcl_graph_reconstruction_viewer scan.pcd -keys \"Right Right Up\" -screenshot adjacencies.png");
 
   return runApp (argc, argv, command_line, [&] {
     options.complete ();
+    std::istringstream words (keys);
+    const std::vector<std::string> pressed{std::istream_iterator<std::string> (words), {}};
+    for (const std::string& key : pressed)
+      if (!GraphViewerModel::knows (key))
+        throw UsageError ("-keys", "there is no key '" + key + "', see -h");
     requireType ("-picture", outputs.picture, {".png"});
     requireType ("-mesh", outputs.mesh, {".ply", ".obj", ".vtk", ".vtu"});
     if (!screenshot.empty ()) {
@@ -83,8 +93,7 @@ main (int argc, char** argv)
       requireOk (input_file, model.status ());
     GraphViewerWindow window (model, std::filesystem::path (input_file).filename ().string (), outputs,
                               screenshot.empty ());
-    std::istringstream words (keys);
-    for (std::string key; words >> key;)
+    for (const std::string& key : pressed)
       window.press (key);
     if (screenshot.empty ())
       window.run ();

@@ -94,6 +94,22 @@ TEST_P (Apps, RefuseFilesThatHoldNoCloud)
   expectRefused ("folder.pcd");
 }
 
+TEST_P (Apps, DoNotWriteTwoFilesToOnePlace)
+{
+  folder.write ("cloud.pcd", GetParam ().good_cloud ());
+  const std::string files = quoted ("cloud.pcd") + " " + quoted (GetParam ().output);
+  for (const std::string& options :
+       {"-report " + quoted (GetParam ().output), "-report " + quoted ("./cloud.pcd"),
+        "-picture " + quoted ("p.png") + " -report " + quoted ("p.png")}) {
+    SCOPED_TRACE (options);
+    const Outcome outcome = runOn (files + " " + options);
+    expectOneLine (outcome, 2);
+    EXPECT_TRUE (contains (outcome.error, "names the same file as")) << outcome.error;
+    EXPECT_EQ (folder.count (), 1);
+  }
+  EXPECT_EQ (folder.read ("cloud.pcd"), GetParam ().good_cloud ());
+}
+
 TEST_P (Apps, RefuseCloudsOfNoPoint)
 {
   folder.write ("none.pcd", pcd (0, ""));

@@ -197,8 +197,8 @@ TEST_F (GraphApp, SaysThatThereIsNoSurface)
   folder.write ("line.xyz", line);
   const Outcome outcome = reconstruct ("line.xyz");
   EXPECT_EQ (outcome.exit_status, 1);
-  EXPECT_TRUE (contains (outcome.error, "line.xyz: no face was found: its points lie on no surface, or are "
-                                        "too few for 5 hops, see -hops\n"))
+  EXPECT_TRUE (contains (outcome.error, "line.xyz: no face was found: its points lie on no surface, or "
+                                        "tiles are too few or touch too little, see -hops, -a and -k\n"))
     << outcome.error;
   EXPECT_EQ (folder.count (), 1);
 }

@@ -66,7 +66,7 @@ TEST_F (Viewer, SavesTheMeshAndThePicture)
 {
   needDisplay ();
   const Outcome outcome =
-    view ("sphere.xyz", "-hops 3 -mesh mesh.obj -picture all.png -keys 'F2 F3 F12' -screenshot shot.png");
+    view ("sphere.xyz", "-hops 3 -mesh mesh.obj -picture all.png -keys 'F2 F3 r' -screenshot shot.png");
   EXPECT_EQ (outcome.exit_status, 0) << outcome.error;
   EXPECT_TRUE (contains (folder.read ("mesh.obj"), "\nf "));
   expectPng (folder.read ("all.png"), 1600, 1200);
@@ -102,8 +102,9 @@ TEST_F (Viewer, RefusesWhatItCannotShow)
 
 TEST_F (Viewer, RefusesWrongUsage)
 {
-  for (const char* options : {"-hops 0", "-mesh mesh.stl", "-picture all.jpg", "-screenshot shot.gif",
-                              "-rule none", "-no-such-option", "second.xyz"})
+  for (const char* options :
+       {"-hops 0", "-keys F12 -screenshot a.png", "-picture a.png -screenshot a.png", "-mesh mesh.stl",
+        "-picture all.jpg", "-screenshot shot.gif", "-rule none", "-no-such-option", "second.xyz"})
     EXPECT_EQ (view ("sphere.xyz", options).exit_status, 2) << options;
   EXPECT_EQ (folder.count (), 1);
 }

@@ -170,7 +170,7 @@ TEST (RefineLandmarks, AddsThoseOfTheDefinition)
       const Vertices landmarks = maximalStableSet (graph, k, seed, 1);
       const Vertices tiles = graphVoronoiDiagram (graph, landmarks, 1);
       const auto contacts = tileContacts (graph, landmarks, tiles, AdjacencyRule::BOUNDARY_POINTS, 7, 1);
-      const Vertices refined = refineLandmarks (graph, k, seed, landmarks, tiles, contacts, 1);
+      const Vertices refined = refineLandmarks (graph, k, seed, landmarks, tiles, contacts, {}, 1);
       if (k <= 3) {
         ASSERT_EQ (refined, landmarks);
         continue;
@@ -181,7 +181,7 @@ TEST (RefineLandmarks, AddsThoseOfTheDefinition)
         << k << " hops";
       ASSERT_TRUE (std::includes (refined.begin (), refined.end (), landmarks.begin (), landmarks.end ()));
       added += refined.size () - landmarks.size ();
-      ASSERT_EQ (refined, refineLandmarks (graph, k, seed, landmarks, tiles, contacts, 2));
+      ASSERT_EQ (refined, refineLandmarks (graph, k, seed, landmarks, tiles, contacts, {}, 2));
     }
   });
   EXPECT_GT (added, 1000U);
@@ -208,7 +208,7 @@ countAdded (const NeighborhoodGraph& graph, int k)
   const Vertices landmarks = maximalStableSet (graph, k, 1, 1);
   const Vertices tiles = graphVoronoiDiagram (graph, landmarks, 1);
   const auto contacts = tileContacts (graph, landmarks, tiles, AdjacencyRule::BOUNDARY_POINTS, 7, 1);
-  return refineLandmarks (graph, k, 1, landmarks, tiles, contacts, 1).size () - landmarks.size ();
+  return refineLandmarks (graph, k, 1, landmarks, tiles, contacts, {}, 1).size () - landmarks.size ();
 }
 
 TEST (RefineLandmarks, AddsThemAroundThinTubesOnly)

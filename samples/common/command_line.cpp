@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 #include <sstream>
 #include <type_traits>
@@ -17,6 +18,9 @@ namespace pcl::manifold::apps {
 namespace {
 
 namespace po = boost::program_options;
+
+// The argument without a name that is written.
+const std::string OUTPUT = "OUTPUT";
 
 template <typename T>
 std::string
@@ -87,6 +91,8 @@ CommandLine&
 CommandLine::positional (const std::string& name, const std::string& help, std::string& target)
 {
   positionals_.push_back ({name, help, &target});
+  if (name == OUTPUT)
+    writes (name, target);
   return *this;
 }
 
@@ -130,6 +136,13 @@ CommandLine::flag (const std::string& name, const std::string& help, bool& targe
 }
 
 CommandLine&
+CommandLine::writes (const std::string& name, const std::string& file)
+{
+  outputs_.push_back ({name, &file});
+  return *this;
+}
+
+CommandLine&
 CommandLine::common (CommonOptions& target)
 {
   option ("threads", "n", "number of threads, 0 = all", target.threads, {0, 1024});
@@ -139,6 +152,8 @@ CommandLine::common (CommonOptions& target)
        requireType ("-picture", text, {".png"});
        target.picture = text;
      }});
+  writes ("-report", target.report);
+  writes ("-picture", target.picture);
   return flag ("quiet", "print nothing but errors", target.quiet);
 }
 
@@ -197,7 +212,30 @@ CommandLine::parse (int argc, const char* const* argv)
     for (const Option& option : options_)
       if (option.name == found.string_key)
         option.assign (found.value.empty () ? std::string () : found.value.front ());
+  checkOutputs ();
   return true;
+}
+
+void
+CommandLine::checkOutputs () const
+{
+  const auto areSame = [] (const std::string& a, const std::string& b) {
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    // Devices can take any number of outputs.
+    if (a.empty () || b.empty () || (fs::exists (a, ignored) && !fs::is_regular_file (a, ignored)))
+      return false;
+    return fs::weakly_canonical (a, ignored) == fs::weakly_canonical (b, ignored);
+  };
+  for (auto output = outputs_.begin (); output != outputs_.end (); ++output) {
+    for (auto other = outputs_.begin (); other != output; ++other)
+      if (areSame (*output->file, *other->file))
+        throw UsageError (output->name, "names the same file as " + other->name);
+    for (const Positional& positional : positionals_)
+      if (positional.target != output->file && output->name != OUTPUT &&
+          areSame (*output->file, *positional.target))
+        throw UsageError (output->name, "names the same file as " + positional.name);
+  }
 }
 
 void

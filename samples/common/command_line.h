@@ -59,6 +59,12 @@ public:
   /** \brief Declares an option without a value; parse () sets `target` to true if it is there. */
   CommandLine& flag (const std::string& name, const std::string& help, bool& target);
 
+  /** \brief Says that the file an option or argument names will be written: no two of these may be the same,
+   * and only OUTPUT may be one that is read. OUTPUT, `-report` and `-picture` are known to be written.
+   * \param[in] name for the error message
+   * \param[in] file a variable that another call declares */
+  CommandLine& writes (const std::string& name, const std::string& file);
+
   /** \brief Declares `-threads`, `-report`, `-picture` and `-quiet`. */
   CommandLine& common (CommonOptions& target);
 
@@ -90,11 +96,19 @@ private:
     std::function<void (const std::string&)> assign; ///< throws UsageError
   };
 
+  struct Output
+  {
+    std::string name;
+    const std::string* file;
+  };
+
   void takePositionals (const std::vector<std::string>& values);
+  void checkOutputs () const;
 
   std::string app_, purpose_, subject_;
   std::vector<Positional> positionals_;
   std::vector<Option> options_;
+  std::vector<Output> outputs_;
   std::vector<std::string> examples_;
 };
 

@@ -25,7 +25,9 @@ toJson (const LandmarkComponent& component)
   json["edges_in_more_faces"] = count (component.edges_in_more_faces);
   json["boundary_loops"] = count (component.boundary_loops);
   json["orientable"] = component.orientable;
-  json["genus"] = component.genus ();
+  json["genus_by_formula"] = component.genus ();
+  json["genus"] =
+    component.isClosed () && component.orientable ? Json::Value (component.genus ()) : Json::Value ();
   return json;
 }
 
@@ -42,7 +44,10 @@ genusText (double genus)
 void
 describeLandmarks (const LandmarkMeshReport& mesh, Report& report, Table& table)
 {
-  report.result ("landmark_mesh", toJson (mesh.total));
+  Json::Value total_json = toJson (mesh.total);
+  if (mesh.components.size () != 1)
+    total_json["genus"] = Json::Value ();
+  report.result ("landmark_mesh", total_json);
   Json::Value components (Json::arrayValue);
   for (const LandmarkComponent& component : mesh.components)
     components.append (toJson (component));
@@ -60,7 +65,9 @@ describeLandmarks (const LandmarkMeshReport& mesh, Report& report, Table& table)
   table.row ("components", mesh.components.size ());
   table.row ("boundary loops", total.boundary_loops);
   if (mesh.components.size () == 1)
-    table.row ("genus", genusText (total.genus ()) + (total.orientable ? "" : " (not orientable)"));
+    table.row (total.isClosed () && total.orientable ? "genus" : "genus by n - e + f = 2 - 2g",
+               genusText (total.genus ()) + (total.orientable ? "" : " (not orientable)") +
+                 (total.boundary_loops > 0 ? ", to which every loop adds a half" : ""));
 }
 
 } // namespace pcl::manifold::apps

@@ -24,7 +24,7 @@ toJson (const SurfaceComponent& component)
   json["euler_characteristic"] = Json::Int64 (component.euler_characteristic);
   json["closed"] = component.closed;
   json["orientable"] = component.orientable;
-  json["genus"] = component.genus;
+  json["genus"] = component.genus < 0 ? Json::Value () : Json::Value (component.genus);
   return json;
 }
 
@@ -86,7 +86,7 @@ tabulate (const std::string& name, const SurfaceTopology& surface, Table& table)
   table.row (name + " non-manifold", grouped (surface.non_manifold_edges) + " edges, " +
                                        grouped (surface.non_manifold_vertices) + " vertices");
   table.row (name + " Euler characteristic", std::to_string (surface.euler_characteristic));
-  if (surface.components.size () == 1)
+  if (surface.components.size () == 1 && surface.components[0].genus >= 0)
     table.row (name + " genus", std::to_string (surface.components[0].genus) +
                                   (surface.components[0].orientable ? "" : " (not orientable)"));
 }

@@ -136,6 +136,14 @@ GraphViewerModel::press (const std::string& key)
   return key == "F3" ? Action::SAVE_PICTURE : Action::NOTHING;
 }
 
+bool
+GraphViewerModel::knows (const std::string& key)
+{
+  static const std::vector<std::string> keys = {"Right", "Left", "Up", "Down", "A",  "a", "K",
+                                                "k",     "n",    "m",  "F2",   "F3", "r", "q"};
+  return std::find (keys.begin (), keys.end (), key) != keys.end ();
+}
+
 const std::vector<std::string>&
 GraphViewerModel::help ()
 {
@@ -203,7 +211,7 @@ GraphViewerModel::description () const
     lines.push_back (grouped (total.vertices) + " landmarks, " + grouped (total.edges) + " adjacencies, " +
                      grouped (total.faces) + " faces, " +
                      (result_.report.components.size () == 1
-                        ? "genus " + genusText (total.genus ())
+                        ? (total.isClosed () ? "genus " : "genus by formula ") + genusText (total.genus ())
                         : grouped (result_.report.components.size ()) + " components"));
   else if (status_ == Status::DIMENSION_TOO_LOW)
     lines.push_back (grouped (total.vertices) + " landmarks, " + grouped (total.edges) +

@@ -46,6 +46,9 @@ public:
    * \param[in] key as VTK names it: "k", "K", "Right" */
   Action press (const std::string& key);
 
+  /** \brief Whether a key stands for anything, r and q for what the window does among them. */
+  static bool knows (const std::string& key);
+
   View view () const { return view_; }
 
   const GraphParameters& parameters () const { return parameters_; }

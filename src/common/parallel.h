@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace pcl {
@@ -32,12 +33,15 @@ parallelRanges (std::size_t n, const Body& body, std::size_t grain = 1024)
     [&body] (const tbb::blocked_range<std::size_t>& range) { body (range.begin (), range.end ()); });
 }
 
-/** Runs body with at most `threads` threads; 0 stands for all cores. */
+/** Runs body with at most `threads` threads; 0 stands for all cores, and so does a larger number than there
+ * are: of more TBB would warn. */
 template <typename Body>
 void
 withThreads (unsigned int threads, const Body& body)
 {
-  tbb::task_arena arena (threads == 0 ? tbb::task_arena::automatic : static_cast<int> (threads));
+  const auto cores = static_cast<unsigned int> (tbb::this_task_arena::max_concurrency ());
+  tbb::task_arena arena (threads == 0 ? tbb::task_arena::automatic
+                                      : static_cast<int> (std::min (threads, std::max (cores, 1U))));
   arena.execute (body);
 }
 

@@ -1,5 +1,6 @@
 #include "extraction/extract_shape.h"
 
+#include "common/parallel.h"
 #include "extraction/cell_coloring.h"
 #include "extraction/color_changes.h"
 #include "extraction/color_repair.h"
@@ -9,6 +10,7 @@
 #include "extraction/solids.h"
 #include "extraction/surface_growth.h"
 #include "extraction/surface_opening.h"
+#include "voronoi/voronoi_cell.h"
 
 #include <algorithm>
 #include <utility>
@@ -95,28 +97,57 @@ settleOnCandidates (const DelaunayComplex& complex, const FacetFlags& facets,
   }
 }
 
+// How many samples have cells of one colour only around them.
+std::size_t
+countMissed (const DelaunayComplex& complex, const std::vector<std::uint8_t>& colors)
+{
+  std::vector<std::uint8_t> missed (static_cast<std::size_t> (complex.samples->size ()));
+  parallelFor (missed.size (), [&] (std::size_t i) {
+    const VoronoiCell star (complex, static_cast<std::int32_t> (i));
+    missed[i] = std::all_of (star.begin (), star.end (),
+                             [&] (std::int32_t cell) { return colors[cell] == colors[*star.begin ()]; });
+  });
+  return static_cast<std::size_t> (std::count (missed.begin (), missed.end (), 1));
+}
+
 // Moves the changes of colour onto the candidates of another method as far as possible.
 void
-keepToCandidates (const DelaunayComplex& complex, const FacetFlags& facets, std::vector<std::uint8_t>& colors)
+keepToCandidates (const DelaunayComplex& complex, const GivenCandidates& given,
+                  std::vector<std::uint8_t>& colors)
 {
-  settleOnCandidates (complex, facets, colors);
+  // Of samples in a plane every triangle has one side or the other: candidates alone decide.
+  if (complex.affine_dimension == 2) {
+    for (std::size_t cell = 0; cell < colors.size (); ++cell)
+      colors[cell] =
+        complex.centers.col (static_cast<Eigen::Index> (cell)).dot (complex.centers.col (0)) > 0.0;
+    return;
+  }
+  std::vector<std::uint8_t> walked;
+  if (given.proved && walkOutside (complex, given.facets, walked)) {
+    colors = std::move (walked);
+    return;
+  }
+  settleOnCandidates (complex, given.facets, colors);
   const std::vector<Facet> changes = colorChanges (complex, colors);
-  if (complex.affine_dimension < 3 ||
-      std::all_of (changes.begin (), changes.end (),
-                   [&] (const Facet& facet) { return facets.contains (facet.cell, facet.facet); }))
+  const bool misses_many =
+    10 * countMissed (complex, colors) > static_cast<std::size_t> (complex.samples->size ());
+  if (!misses_many && std::all_of (changes.begin (), changes.end (), [&] (const Facet& facet) {
+        return given.facets.contains (facet.cell, facet.facet);
+      }))
     return;
   // Where the walk that the theory knows of encloses all samples, too, by as many triangles, both surfaces
   // have the same Euler characteristic, and that of the walk is made of candidates only. With more triangles
   // or fewer it has webs between parts, or fills handles, which the colours by poles have not.
-  std::vector<std::uint8_t> walked;
-  if (walkOutside (complex, facets, walked) && colorChanges (complex, walked).size () == changes.size ())
+  if (walkOutside (complex, given.facets, walked) &&
+      (misses_many || colorChanges (complex, walked).size () == changes.size ()))
     colors = std::move (walked);
 }
 
 } // namespace
 
 SimplicialComplex
-extractShape (const SampleDimensions& dimensions, bool watertight, StageLog& log, const FacetFlags* facets)
+extractShape (const SampleDimensions& dimensions, bool watertight, StageLog& log,
+              const GivenCandidates* given)
 {
   const DelaunayComplex& complex = *dimensions.complex;
   if (complex.affine_dimension < 2)
@@ -125,12 +156,12 @@ extractShape (const SampleDimensions& dimensions, bool watertight, StageLog& log
   if (!log.begin ("color cells", 0.7f))
     return {};
   const std::vector<Role> roles = sampleRoles (dimensions);
-  const SurfaceCandidates candidates (dimensions, roles, facets);
+  const SurfaceCandidates candidates (dimensions, roles, given != nullptr ? &given->facets : nullptr);
   const SolidCells solid_cells = findSolidCells (dimensions, roles);
   const CellColors coloring = colorCells (dimensions, roles, solid_cells.certain, watertight);
   std::vector<std::uint8_t> colors = coloring.colors;
-  if (facets != nullptr)
-    keepToCandidates (complex, *facets, colors);
+  if (given != nullptr)
+    keepToCandidates (complex, *given, colors);
 
   if (!log.begin ("repair", 0.8f))
     return {};

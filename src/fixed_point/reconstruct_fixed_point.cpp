@@ -4,11 +4,17 @@
 #include "common/parallel.h"
 #include "delaunay/sampled_complex.h"
 #include "extraction/extract_shape.h"
+#include "extraction/facet_set.h"
+#include "extraction/fan.h"
 #include "extraction/to_input.h"
 #include "fixed_point/facet_flags.h"
 #include "voronoi/dimension.h"
+#include "voronoi/voronoi_cell.h"
 
+#include <algorithm>
+#include <array>
 #include <utility>
+#include <vector>
 
 namespace pcl {
 namespace manifold {
@@ -60,6 +66,39 @@ iterateFrom (const FlatPieces& mesh, StageLog& log, FixedPointResult& result, Si
   return Status::OK;
 }
 
+// Where samples are much nearer to each other in one direction than in the other, as those of line scanners,
+// they look like samples of curves. Those that triangles of the complex go around are none of a rim.
+void
+keepInside (const DelaunayComplex& complex, const FacetFlags& facets, SampleDimensions& dimensions)
+{
+  parallelFor (dimensions.dimension.size (), [&] (std::size_t i) {
+    if (dimensions.dimension[i] == 2)
+      return;
+    const auto sample = static_cast<std::int32_t> (i);
+    Fan fan;
+    std::vector<std::int32_t> link;
+    VoronoiCell (complex, sample).forEachEdge ([&] (std::int32_t cell, std::int32_t, int facet) {
+      if (!facets.contains (cell, facet))
+        return;
+      const std::array<std::int32_t, 2> side = oppositeSide (complex, cell, facet, sample);
+      fan.add (side[0], side[1]);
+      link.insert (link.end (), side.begin (), side.end ());
+    });
+    if (!link.empty () && std::all_of (link.begin (), link.end (),
+                                       [&fan] (std::int32_t vertex) { return fan.degree (vertex) > 1; }))
+      dimensions.dimension[i] = 2;
+  });
+}
+
+// What the theory needs, section 7: for samples as dense as it asks for, the complex has a surface in it
+// then.
+bool
+areProved (const CriticalPointParameters& critical)
+{
+  const CriticalPointParameters published;
+  return critical.ratio <= published.ratio && critical.votes == published.votes;
+}
+
 // The manifold in the manifold fixed-point complex: by the extraction of COCONESHAPE, for which every sample
 // is one of a surface.
 Status
@@ -73,8 +112,12 @@ extractFrom (const FixedPointParameters& parameters, StageLog& log, FixedPointRe
     return Status::CANCELLED;
   SampleDimensions dimensions = computeDimensions (result.complex, RHO);
   dimensions.manifold_dimension.assign (dimensions.dimension.size (), 2);
-  shape = extractShape (dimensions, parameters.watertight, log, &result.found.facets);
-  return log.cancelled () ? Status::CANCELLED : Status::OK;
+  keepInside (*result.complex, result.found.facets, dimensions);
+  const GivenCandidates given{result.found.facets, areProved (parameters.critical)};
+  shape = extractShape (dimensions, parameters.watertight, log, &given);
+  if (log.cancelled ())
+    return Status::CANCELLED;
+  return shape.triangles.empty () ? Status::DIMENSION_TOO_LOW : Status::OK;
 }
 
 Status

@@ -1,6 +1,7 @@
 #include <pcl/manifold/detail/reconstruct_graph.h>
 
 #include "common/guarded.h"
+#include "graph/crowded_tiles.h"
 #include "graph/outward_faces.h"
 
 #include <cassert>
@@ -14,13 +15,32 @@ namespace {
 constexpr pcl::index_t FEWEST_VERTICES = 3;
 constexpr int SHORTEST_FACE = 3;
 
+// No landmarks are added where they are as near as this already.
+constexpr int FEWEST_HOPS = 3;
+
+// So often they are added at most.
+constexpr int MOST_REFINEMENTS = 3;
+
+bool
+isRule (AdjacencyRule rule)
+{
+  return rule == AdjacencyRule::BOUNDARY_POINTS || rule == AdjacencyRule::LINKING_EDGES ||
+         rule == AdjacencyRule::CLEAR_PATH;
+}
+
+bool
+isRule (FaceRule rule)
+{
+  return rule == FaceRule::SHORTEST_CYCLES || rule == FaceRule::ROTATION_SYSTEM;
+}
+
 Status
 check (const NeighborhoodGraph& graph, const Eigen::Ref<const Eigen::MatrixXd>& points,
        const GraphParameters& parameters)
 {
   if (parameters.hops < 1 || parameters.adjacency_threshold < 0 ||
-      parameters.maximum_face_length < SHORTEST_FACE ||
-      (points.cols () != 0 && points.cols () != graph.size ()))
+      parameters.maximum_face_length < SHORTEST_FACE || !isRule (parameters.adjacency_rule) ||
+      !isRule (parameters.face_rule) || (points.cols () != 0 && points.cols () != graph.size ()))
     return Status::PARAMETER_OUT_OF_RANGE;
   return graph.size () < FEWEST_VERTICES ? Status::TOO_FEW_POINTS : Status::OK;
 }
@@ -45,11 +65,27 @@ makeTiles (const NeighborhoodGraph& graph, const GraphParameters& parameters, fl
   if (!log.begin ("graph Voronoi diagram", fraction))
     return false;
   result.tiles = graphVoronoiDiagram (graph, result.landmarks, parameters.threads);
-  if (!log.begin ("adjacency", fraction + 0.03f))
+  if (!log.begin ("adjacency", fraction + 0.02f))
     return false;
   result.contacts = tileContacts (graph, result.landmarks, result.tiles, parameters.adjacency_rule,
                                   parameters.adjacency_threshold, parameters.threads);
   return true;
+}
+
+/** Adds landmarks, and makes the tiles again where there are any. \return false if the user cancelled */
+bool
+refine (const NeighborhoodGraph& graph, const GraphParameters& parameters,
+        const std::vector<pcl::index_t>& crowded, float fraction, StageLog& log, GraphMesh& result)
+{
+  if (!log.begin ("refinement", fraction))
+    return false;
+  std::vector<pcl::index_t> refined =
+    refineLandmarks (graph, parameters.hops, parameters.seed, result.landmarks, result.tiles, result.contacts,
+                     crowded, parameters.threads);
+  if (refined.size () == result.landmarks.size ())
+    return true;
+  result.landmarks = std::move (refined);
+  return makeTiles (graph, parameters, fraction + 0.01f, log, result);
 }
 
 /** The recipe, step by step. */
@@ -63,23 +99,20 @@ reconstruct (const NeighborhoodGraph& graph, const Eigen::Ref<const Eigen::Matri
   if (!makeTiles (graph, parameters, 0.7f, log, result))
     return Status::CANCELLED;
 
-  if (parameters.refine) {
-    if (!log.begin ("refinement", 0.8f))
+  // Landmarks are added where tiles are no disks, and then where that was not enough.
+  std::vector<pcl::index_t> crowded;
+  int rounds = 0;
+  do {
+    const float fraction = 0.75f + 0.07f * static_cast<float> (rounds);
+    if (parameters.refine && !refine (graph, parameters, crowded, fraction, log, result))
       return Status::CANCELLED;
-    std::vector<pcl::index_t> refined =
-      refineLandmarks (graph, parameters.hops, parameters.seed, result.landmarks, result.tiles,
-                       result.contacts, parameters.threads);
-    if (refined.size () > result.landmarks.size ()) {
-      result.landmarks = std::move (refined);
-      if (!makeTiles (graph, parameters, 0.85f, log, result))
-        return Status::CANCELLED;
-    }
-  }
-
-  if (!log.begin ("faces", 0.9f))
-    return Status::CANCELLED;
-  result.mesh = findFaces (graph, result.tiles, result.landmarks.size (), result.contacts,
-                           parameters.face_rule, parameters.maximum_face_length, parameters.threads);
+    if (!log.begin ("faces", fraction + 0.04f))
+      return Status::CANCELLED;
+    result.mesh = findFaces (graph, result.tiles, result.landmarks.size (), result.contacts,
+                             parameters.face_rule, parameters.maximum_face_length, parameters.threads);
+    crowded = crowdedTiles (result.mesh);
+  } while (parameters.refine && parameters.hops > FEWEST_HOPS && !crowded.empty () &&
+           ++rounds < MOST_REFINEMENTS);
   const Eigen::MatrixXd landmark_points = pointsOf (result.landmarks, points);
   constexpr Eigen::Index SPACE = 3;
   if (landmark_points.rows () == SPACE)

@@ -54,12 +54,17 @@ public:
       rings_ ([&graph] { return HopRings (graph); })
   {}
 
-  /** Looks at some landmarks, adds others around them, looks at those, and so on. \return the added ones */
-  std::vector<pcl::index_t> run (std::vector<pcl::index_t> doubtful)
+  /** Looks at some landmarks, adds others around them, looks at those, and so on.
+   * \param[in] doubtful landmarks to look at
+   * \param[in] crowded landmarks around which others are added without a look
+   * \return the added ones */
+  std::vector<pcl::index_t> run (std::vector<pcl::index_t> doubtful, const std::vector<pcl::index_t>& crowded)
   {
+    for (const pcl::index_t landmark : crowded)
+      lowerAround (landmark, FEWEST_HOPS);
     std::vector<pcl::index_t> added;
     std::vector<int> wanted;
-    while (!doubtful.empty ()) {
+    while (!doubtful.empty () || !candidates_.empty ()) {
       wanted.resize (doubtful.size ());
       parallelFor (
         doubtful.size (),
@@ -173,7 +178,8 @@ private:
 std::vector<pcl::index_t>
 refineLandmarks (const NeighborhoodGraph& graph, int hops, std::uint64_t seed,
                  const std::vector<pcl::index_t>& landmarks, const std::vector<pcl::index_t>& tiles,
-                 const std::vector<TileContact>& contacts, unsigned int threads)
+                 const std::vector<TileContact>& contacts, const std::vector<pcl::index_t>& crowded,
+                 unsigned int threads)
 {
   if (hops <= FEWEST_HOPS)
     return landmarks;
@@ -186,8 +192,11 @@ refineLandmarks (const NeighborhoodGraph& graph, int hops, std::uint64_t seed,
     for (std::size_t i = 0; i < landmarks.size (); ++i)
       if (doubtful[i] != 0)
         start.push_back (landmarks[i]);
+    std::vector<pcl::index_t> around;
+    for (const pcl::index_t tile : crowded)
+      around.push_back (landmarks[tile]);
     const std::vector<pcl::index_t> added =
-      Refinement (graph, hops, seed, landmarks, tiles).run (std::move (start));
+      Refinement (graph, hops, seed, landmarks, tiles).run (std::move (start), around);
     refined.insert (refined.end (), added.begin (), added.end ());
   });
   std::sort (refined.begin (), refined.end ());

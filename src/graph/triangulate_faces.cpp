@@ -1,5 +1,7 @@
 #include <pcl/manifold/graph_faces.h>
 
+#include "graph/crowded_tiles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -27,6 +29,15 @@ public:
   {
     for (const LandmarkMesh::Edge& edge : mesh.edges)
       addEdge (edge[0], edge[1]);
+  }
+
+  // Whether a face can be cut by diagonals that are no edges yet.
+  bool canCut (const Walk& face)
+  {
+    if (face.size () > LONGEST_PIECE)
+      return true;
+    compareAll (face);
+    return costs_[face.size () - 1] < FORBIDDEN;
   }
 
   void cut (Walk face, std::vector<Triangle>& triangles)
@@ -65,7 +76,7 @@ private:
   }
 
   // The cheapest triangulation of every part of the piece that one diagonal cuts off, from small to large.
-  void cutPiece (const Walk& piece, std::vector<Triangle>& triangles)
+  void compareAll (const Walk& piece)
   {
     const std::size_t size = piece.size ();
     costs_.assign (size * size, 0.0);
@@ -83,6 +94,11 @@ private:
         }
         costs_[i * size + j] = best + (span + 1 < size ? cost (piece[i], piece[j]) : 0.0);
       }
+  }
+
+  void cutPiece (const Walk& piece, std::vector<Triangle>& triangles)
+  {
+    compareAll (piece);
     addTriangles (piece, triangles);
   }
 
@@ -107,7 +123,7 @@ private:
     }
   }
 
-  const Eigen::Ref<const Eigen::MatrixXd>& points_;
+  const Eigen::Ref<const Eigen::MatrixXd> points_;
   std::unordered_set<std::uint64_t> edges_; ///< of the mesh and diagonals
   std::unordered_map<pcl::index_t, int> degrees_;
   std::vector<double> costs_; ///< per pair of positions in a piece
@@ -116,6 +132,26 @@ private:
 };
 
 } // namespace
+
+std::vector<pcl::index_t>
+crowdedTiles (const LandmarkMesh& mesh)
+{
+  const Eigen::MatrixXd no_points;
+  FaceCutter cutter (mesh, no_points);
+  std::vector<pcl::index_t> crowded;
+  Walk sorted;
+  for (const Walk& face : mesh.faces) {
+    if (face.size () <= 3)
+      continue;
+    sorted = face;
+    std::sort (sorted.begin (), sorted.end ());
+    if (std::adjacent_find (sorted.begin (), sorted.end ()) != sorted.end () || !cutter.canCut (face))
+      crowded.insert (crowded.end (), sorted.begin (), sorted.end ());
+  }
+  std::sort (crowded.begin (), crowded.end ());
+  crowded.erase (std::unique (crowded.begin (), crowded.end ()), crowded.end ());
+  return crowded;
+}
 
 std::vector<Triangle>
 triangulateFaces (const LandmarkMesh& mesh, const Eigen::Ref<const Eigen::MatrixXd>& points)

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t LEAVES_PER_TASK = 128;
 
-// A few hundred thousand points: so that one who cancels waits for less than a second.
-constexpr std::size_t LEAVES_PER_QUESTION = 32768;
+// So many neighbours are looked for before the user is asked whether to go on: less than a second's work.
+constexpr std::size_t NEIGHBORS_PER_QUESTION = std::size_t (1) << 22;
 constexpr std::size_t QUERIES_PER_TASK = 4096;
 
 template <int D>
@@ -27,8 +27,9 @@ neighborsOfAll (const Eigen::Ref<const Eigen::MatrixXd>& points, std::size_t k,
   const KdTree<D> tree (points);
   std::vector<pcl::index_t> neighbors;
   assignLarge (neighbors, tree.size () * k);
+  const std::size_t leaves_per_question = NEIGHBORS_PER_QUESTION / (KdTree<D>::LEAF_SIZE * k) + 1;
   for (std::size_t done = 0; done < tree.leaves ();) {
-    const std::size_t piece = std::min (tree.leaves () - done, LEAVES_PER_QUESTION);
+    const std::size_t piece = std::min (tree.leaves () - done, leaves_per_question);
     const auto search = [&] (std::size_t begin, std::size_t end) {
       NeighborsOfLeaf<D> neighbors_of_leaf (tree, k);
       for (std::size_t leaf = begin; leaf < end; ++leaf)

@@ -78,7 +78,11 @@ struct LandmarkComponent
   std::size_t boundary_loops = 0;
   bool orientable = true;
 
-  /// (2 - n + e - f) / 2, as in equation 2: no whole number where the faces form no closed orientable surface
+  /// Is every edge in two faces?
+  bool isClosed () const { return faces > 0 && edges_in_two_faces == edges; }
+
+  /// (2 - n + e - f) / 2, as in equation 2. The genus if the component is closed and orientable; else only
+  /// that number, to which every boundary loop adds a half, and an edge in no face up to as much.
   double genus () const
   {
     return (2.0 - static_cast<double> (vertices) + static_cast<double> (edges) -
@@ -88,7 +92,8 @@ struct LandmarkComponent
 };
 
 /** \brief The topology of a landmark mesh: the sum over all components, and each of them, the one with the
- * most landmarks first. */
+ * most landmarks first. The formula for the genus is one for each component: that of the total is right where
+ * there is one only. */
 struct LandmarkMeshReport
 {
   LandmarkComponent total;

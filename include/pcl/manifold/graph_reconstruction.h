@@ -27,7 +27,9 @@ namespace pcl {
  * adjacent; (5) faces, short cycles of adjacent landmarks. Coordinates take part in step 1 only, and in which
  * diagonals cut larger faces into triangles.
  *
- * Faces are found by a rule of this library unless setFaceRule () asks for the published one.
+ * Two things are of this library: faces are found by a rotation system unless setFaceRule () asks for the
+ * published rule, and landmarks are nearer to each other on thin parts and on small clouds unless
+ * setRefine (false) asks for the same distance everywhere.
  *
  * The points should sample a surface evenly, as dense as the thinnest part asks: parts nearer to each other
  * than a few spacings grow together. Points that are not finite, and all but one of exact duplicates, are
