@@ -5,6 +5,7 @@
 #include "graph_options.h"
 #include "mesh_distance.h"
 #include "picture.h"
+#include "polygon_triangles.h"
 #include "progress.h"
 #include "sample_input.h"
 #include "topology_json.h"
@@ -45,22 +46,12 @@ landmarkMesh (const InputCloud& input, const Cloud::Ptr& cloud, const GraphOptio
   return mesh;
 }
 
-Triangles
-trianglesOf (const pcl::PolygonMesh& mesh)
-{
-  Triangles triangles;
-  for (const pcl::Vertices& polygon : mesh.polygons)
-    for (std::size_t i = 2; i < polygon.vertices.size (); ++i)
-      triangles.push_back ({polygon.vertices[0], polygon.vertices[i - 1], polygon.vertices[i]});
-  return triangles;
-}
-
 /** \brief The mesh of landmarks, what the operator makes of it, what it makes of that, and so on until
  * nothing changes. */
 std::vector<Triangles>
 iterate (const pcl::PolygonMesh& landmarks, const DelaunayComplex& complex)
 {
-  std::vector<Triangles> meshes = {trianglesOf (landmarks)};
+  std::vector<Triangles> meshes = {trianglesOf (landmarks).triangles};
   FlatPieces pieces;
   meshPieces (landmarks, pieces);
   pieces.vertices = (pieces.vertices.colwise () - complex.samples->origin) * complex.samples->scale;
@@ -173,15 +164,15 @@ main (int argc, char** argv)
     options.describe (report);
     describeMeshes (iterate (*landmarks, complex), cloud->getMatrixXfMap (3, 4, 0).cast<double> (), report,
                     table);
-    describeTopology (analyze (surface), report, table);
+    const pcl::TopologyReport topology = analyze (surface);
+    describeTopology (topology, report, table);
+    noteNonManifold (input_file, topology.surface, common.quiet);
     describeStages (reconstruction.getStages (), report, table);
 
     if (!saveComplex (output_file, input.cloud, surface, error))
       throw AppError (output_file, error);
     const auto positions = positionsOf (input.cloud);
-    pcl::SimplicialComplex coarse;
-    coarse.triangles = trianglesOf (*landmarks);
-    picture.draw (input_file, {{"landmarks", layersOf (positions, coarse)},
+    picture.draw (input_file, {{"landmarks", layersOf (positions, trianglesOf (*landmarks))},
                                {"fixed point", layersOf (positions, surface)}});
     if (!common.report.empty ())
       report.write (common.report);

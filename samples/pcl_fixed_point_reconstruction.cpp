@@ -135,6 +135,8 @@ main (int argc, char** argv)
       reconstruction.setProgressCallback (progress.callback ());
       reconstruction.reconstruct (surface);
     }
+    if (reconstruction.getStatus () == Status::DIMENSION_TOO_LOW)
+      throw AppError (request.input, "no surface was found: its points lie along curves, or are too few");
     requireOk (request.input, reconstruction.getStatus ());
     if (initial && surface.empty ())
       throw AppError (request.initial,
@@ -145,7 +147,9 @@ main (int argc, char** argv)
     describeInput (input, *reconstruction.getDelaunayComplex ()->samples, report, table);
     describeParameters (request, report);
     describeTriangles (request, reconstruction, report, table);
-    describeTopology (analyze (surface), report, table);
+    const pcl::TopologyReport topology = analyze (surface);
+    describeTopology (topology, report, table);
+    noteNonManifold (request.input, topology.surface, common.quiet);
     describeStages (reconstruction.getStages (), report, table);
 
     if (!saveComplex (request.output, input.cloud, surface, error))

@@ -6,8 +6,10 @@
 #include "graph_options.h"
 #include "landmark_report.h"
 #include "picture.h"
+#include "polygon_triangles.h"
 #include "progress.h"
 #include "sample_input.h"
+#include "topology_json.h"
 
 #include <pcl/conversions.h>
 #include <pcl/manifold/complex_io.h>
@@ -104,6 +106,11 @@ main (int argc, char** argv)
     describeLandmarks (reconstruction.getReport (), report, table);
     report.result ("polygons", Json::UInt64 (mesh.polygons.size ()));
     table.row ("polygons written", mesh.polygons.size ());
+    if (options.parameters.triangulate) {
+      const pcl::TopologyReport topology = analyze (trianglesOf (mesh));
+      describeTopology (topology, report, table);
+      noteNonManifold (input_file, topology.surface, common.quiet);
+    }
     describeStages (reconstruction.getStages (), report, table);
 
     mesh.cloud = input.cloud;

@@ -108,6 +108,46 @@ TEST (FixedPointReconstruction, SaysThatPointsSpanNoTriangle)
   }
 }
 
+TEST (FixedPointReconstruction, ThreeAndFourPointsAreAFewTriangles)
+{
+  EXPECT_EQ (reconstruct ({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})->surface.triangles.size (), 1U);
+  EXPECT_EQ (reconstruct ({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}})->surface.triangles.size (), 2U);
+}
+
+TEST (FixedPointReconstruction, SaysThatACurveIsNoSurface)
+{
+  std::vector<Eigen::Vector3f> helix;
+  for (int i = 0; i < 300; ++i) {
+    const float turn = 0.05f * static_cast<float> (i);
+    helix.emplace_back (std::cos (turn), std::sin (turn), 0.5f * turn);
+  }
+  Reconstruction run;
+  run.object.setInputCloud (cloudOf (helix));
+  expectFailure (run, Status::DIMENSION_TOO_LOW);
+}
+
+// Points that are seven times as near to each other along the lines of a scanner as across them: their
+// Voronoi cells are like those of points on curves.
+TEST (FixedPointReconstruction, LinesOfAScannerAreASurface)
+{
+  std::vector<Eigen::Vector3f> points;
+  for (int line = 0; line < 40; ++line)
+    for (int i = 0; i < 300; ++i) {
+      const double a = 2.0 * M_PI * line / 40;
+      const double b = 2.0 * M_PI * (i + 0.37 * line) / 300;
+      const double out = 1.0 + 0.5 * std::cos (b);
+      points.emplace_back (
+        Eigen::Vector3d (out * std::cos (a), out * std::sin (a), 0.5 * std::sin (b)).cast<float> ());
+    }
+  for (const bool watertight : {false, true}) {
+    Reconstruction run;
+    run.object.setInputCloud (cloudOf (points));
+    run.object.setWatertight (watertight);
+    EXPECT_FALSE (run ());
+    expectTorus (run.surface, points.size ());
+  }
+}
+
 TEST (FixedPointReconstruction, AFlatGridIsOneSheet)
 {
   const auto run = reconstruct (grid (12, 9, 1));

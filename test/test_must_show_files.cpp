@@ -152,6 +152,12 @@ TEST_P (DemoMesh, HasItsGenusByGraphDistances)
       EXPECT_EQ (2.0 - 2.0 * report.total.genus (), GetParam ().euler);
       EXPECT_EQ (report.total.edges_in_two_faces, report.total.edges);
       EXPECT_TRUE (report.total.orientable);
+      pcl::SimplicialComplex written;
+      for (const pcl::Vertices& polygon : polygons)
+        written.triangles.push_back ({polygon.vertices[0], polygon.vertices[1], polygon.vertices[2]});
+      const pcl::manifold::SurfaceTopology surface = pcl::manifold::analyze (written).surface;
+      EXPECT_TRUE (surface.isManifold ());
+      EXPECT_EQ (surface.euler_characteristic, GetParam ().euler);
     }
 }
 

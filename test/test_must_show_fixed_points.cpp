@@ -40,6 +40,23 @@ TEST_P (Guarantee, HoldsForDenseSamples)
   }
 }
 
+// A 0.143-sample may be as uneven as it likes: rows of points, far denser than they are far from each other.
+TEST (UnevenSamples, HaveTheGuaranteeToo)
+{
+  const SmoothSurface torus = smoothSurface ("torus"); // of feature size 0.4
+  Eigen::Matrix3Xd points (3, 110 * 500);
+  for (int row = 0; row < 110; ++row)
+    for (int i = 0; i < 500; ++i) {
+      const double a = 2.0 * M_PI * row / 110;
+      const double b = 2.0 * M_PI * i / 500;
+      const double out = 1.0 + 0.4 * std::cos (b);
+      points.col (500 * row + i) << out * std::cos (a), out * std::sin (a), 0.4 * std::sin (b);
+    }
+  const FixedPointEvaluation evaluation = reconstructFixedPoint (points, CriticalPointParameters ());
+  Closeness closeness;
+  EXPECT_EQ (guaranteeComplaints (torus, points, evaluation, closeness), "");
+}
+
 // What the samples have to be for the guarantee.
 TEST_P (Guarantee, IsTestedOnSamplesThatAreDenseEnough)
 {

@@ -1,5 +1,7 @@
 #include "topology_json.h"
 
+#include <iostream>
+
 namespace pcl::manifold::apps {
 
 namespace {
@@ -111,6 +113,14 @@ describeTopology (const pcl::TopologyReport& topology, Report& report, Table& ta
     table.row ("solid tetrahedra", topology.solid.tetrahedra);
     tabulate ("skin", topology.solid.boundary, table);
   }
+}
+
+void
+noteNonManifold (const std::string& file, const SurfaceTopology& surface, bool quiet)
+{
+  if (!quiet && !surface.isManifold ())
+    std::cerr << file << ": the surface is no manifold at " << grouped (surface.non_manifold_edges)
+              << " edges and " << grouped (surface.non_manifold_vertices) << " vertices\n";
 }
 
 } // namespace pcl::manifold::apps

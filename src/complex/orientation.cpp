@@ -6,7 +6,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
 #include <utility>
 
 namespace pcl {
@@ -17,44 +17,63 @@ namespace {
 using Triangle = SimplicialComplex::Triangle;
 using Points = Eigen::Ref<const Eigen::Matrix3Xd>;
 
-/** \brief Six times the volume that each patch encloses, negative for one that faces inward. Measured from a
- * point of the patch, because far from the origin the differences of large volumes would drown it. */
+/** \brief Six times the volume of the cone over each patch from its middle, negative for one that faces
+ * inward. From there it tells of open patches, too, which way they are bent; and far from the origin the
+ * differences of large volumes would drown it. */
 class EnclosedVolumes
 {
 public:
   EnclosedVolumes (std::size_t patches, const Points& points)
-    : points_ (points), volumes_ (patches, 0.0), apexes_ (patches)
+    : points_ (points), volumes_ (patches, 0.0), sizes_ (patches, 0.0),
+      middles_ (Eigen::Matrix3Xd::Zero (3, static_cast<Eigen::Index> (patches))), corners_ (patches, 0.0)
   {}
+
+  /** \brief To be called for all triangles first. */
+  void addToMiddle (const Triangle& t, std::uint32_t patch)
+  {
+    for (const pcl::index_t vertex : t) {
+      corners_[patch] += 1.0;
+      middles_.col (patch) += (points_.col (vertex) - middles_.col (patch)) / corners_[patch];
+    }
+  }
 
   void add (const Triangle& t, std::uint32_t patch, bool turned)
   {
-    auto& apex = apexes_[patch];
-    if (!apex)
-      apex = points_.col (t[0]);
-    const Eigen::Vector3d a = points_.col (t[0]) - *apex;
-    const Eigen::Vector3d b = points_.col (t[1]) - *apex;
-    const Eigen::Vector3d c = points_.col (t[2]) - *apex;
+    const Eigen::Vector3d a = points_.col (t[0]) - middles_.col (patch);
+    const Eigen::Vector3d b = points_.col (t[1]) - middles_.col (patch);
+    const Eigen::Vector3d c = points_.col (t[2]) - middles_.col (patch);
     const double volume = a.dot (b.cross (c));
     volumes_[patch] += turned ? -volume : volume;
+    sizes_[patch] += std::abs (volume);
   }
 
-  bool isInward (std::uint32_t patch) const { return volumes_[patch] < 0; }
+  bool isInward (std::uint32_t patch, bool open) const
+  {
+    return volumes_[patch] < (open ? -LEAST_BEND * sizes_[patch] : 0.0);
+  }
 
 private:
+  // An open patch with as much on one side of its middle as on the other, but for this share, has no inside.
+  static constexpr double LEAST_BEND = 0.1;
+
   const Points& points_;
   std::vector<double> volumes_;
-  std::vector<std::optional<Eigen::Vector3d>> apexes_;
+  std::vector<double> sizes_; ///< the same without signs
+  Eigen::Matrix3Xd middles_;
+  std::vector<double> corners_;
 };
 
-// Neighbours agree: only closed patches that face inward are to be turned.
+// Neighbours agree: only patches that face inward are to be turned.
 Orientation
 orientConsistent (std::vector<Triangle>& triangles, const ConsistentPatches& patches, const Points& points)
 {
   EnclosedVolumes volumes (patches.has_boundary.size (), points);
   for (std::size_t f = 0; f < triangles.size (); ++f)
+    volumes.addToMiddle (triangles[f], patches.patch[f]);
+  for (std::size_t f = 0; f < triangles.size (); ++f)
     volumes.add (triangles[f], patches.patch[f], false);
   for (std::size_t f = 0; f < triangles.size (); ++f)
-    if (patches.has_boundary[patches.patch[f]] == 0 && volumes.isInward (patches.patch[f]))
+    if (volumes.isInward (patches.patch[f], patches.has_boundary[patches.patch[f]] != 0))
       std::swap (triangles[f][1], triangles[f][2]);
   Orientation result;
   result.patches = patches.has_boundary.size ();
@@ -72,9 +91,11 @@ orient (std::vector<Triangle>& triangles, const Points* points)
   if (points != nullptr) {
     EnclosedVolumes volumes (inward.size (), *points);
     for (std::size_t f = 0; f < sides.faces (); ++f)
+      volumes.addToMiddle (triangles[sides.source[f]], patches.patch[f]);
+    for (std::size_t f = 0; f < sides.faces (); ++f)
       volumes.add (triangles[sides.source[f]], patches.patch[f], patches.turned[f] != 0);
     for (std::uint32_t p = 0; p < inward.size (); ++p)
-      inward[p] = patches.orientable[p] != 0 && patches.has_boundary[p] == 0 && volumes.isInward (p);
+      inward[p] = patches.orientable[p] != 0 && volumes.isInward (p, patches.has_boundary[p] != 0);
   }
   for (std::size_t f = 0; f < sides.faces (); ++f) {
     Triangle& t = triangles[sides.source[f]];

@@ -38,11 +38,11 @@ namespace pcl {
  * On failure the output is empty and getStatus () says why: NO_INPUT, TOO_FEW_POINTS for fewer than three
  * distinct points, DIMENSION_TOO_LOW where no face was found (the points lie along a curve, or are so few
  * that fewer than three landmarks are left), PARAMETER_OUT_OF_RANGE, INPUT_TOO_COARSE, INPUT_OUT_OF_RANGE,
- * CANCELLED.
+ * CANCELLED, OUT_OF_MEMORY, INTERNAL_ERROR (also where the progress callback throws).
  *
  * Time is that of a k nearest neighbour search, O (n log n), and about half of it again; memory about 220
  * bytes a point. The result is the same, bit for bit, for any number of threads and, up to renumbering, for
- * any order of the points.
+ * any order of the points. Where a graph is given the numbers of its vertices decide instead.
  *
  * The class derives from pcl::MeshConstruction for PCL's own point types with x, y and z, and from its base
  * pcl::PCLSurfaceBase, with the same functions, for all others: those need no PCL_NO_PRECOMPILE.
@@ -112,7 +112,9 @@ public:
 
   int getMaximumFaceLength () const { return parameters_.maximum_face_length; }
 
-  /** \brief Whether faces of more than three edges are cut into triangles.
+  /** \brief Whether faces of more than three edges are cut into triangles. Where none but edges of the mesh can cut
+   * a face, on parts as thin as a landmark, such an edge has more than two triangles then; a face that is not
+   * cut may pass a landmark twice there. setRefine () leaves few of these.
    * \param[in] triangulate true by default */
   void setTriangulate (bool triangulate) { parameters_.triangulate = triangulate; }
 
@@ -129,6 +131,8 @@ public:
 
   unsigned int getNumberOfThreads () const { return parameters_.threads; }
 
+  /** \brief Called with the fraction that is done, between stages and several times during the search for
+   * neighbours, by the thread that called reconstruct (); where it answers false reconstruct () ends. */
   void setProgressCallback (manifold::ProgressCallback callback)
   {
     parameters_.progress = std::move (callback);
@@ -138,7 +142,8 @@ public:
    * Edges count both ways, once each, and self loops are left out; an index out of range is refused with
    * PARAMETER_OUT_OF_RANGE.
    *
-   * With an input cloud, vertex i is the i-th point of setIndices () (of the cloud if that was not called),
+   * With an input cloud, coordinates choose only how larger faces are cut, and are not looked at where one of
+   * them is not finite: all vertices count. Vertex i is the i-th point of setIndices () (of the cloud if that was not called),
    * and a graph of another size is refused with PARAMETER_OUT_OF_RANGE. Without one, the polygons and all
    * getters index the vertices of the graph, and the mesh has no cloud.
    * \param[in] graph null (the default) to go back to nearest neighbours */
@@ -176,7 +181,7 @@ public:
   pcl::Indices getLandmarks () const;
 
   /** \brief Per point (of those that setIndices () names, in their order) the number of its landmark, a
-   * position in getLandmarks (); -1 for points that are not finite. */
+   * position in getLandmarks (); a duplicate has that of the point that was kept, a point that is not finite -1. */
   std::vector<pcl::index_t> getTiles () const;
 
   /** \brief The pairs of landmarks, by their numbers, whose tiles touch, and whether that makes them

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <pcl/PolygonMesh.h>
+#include <pcl/manifold/simplicial_complex.h>
+
+namespace pcl::manifold::apps {
+
+/** \brief The polygons of a mesh as triangles, larger ones cut from their first corner. */
+pcl::SimplicialComplex trianglesOf (const pcl::PolygonMesh& mesh);
+
+} // namespace pcl::manifold::apps
