@@ -19,7 +19,7 @@ constexpr int SHORTEST_FACE = 3;
 constexpr int FEWEST_HOPS = 3;
 
 // So often they are added at most.
-constexpr int MOST_REFINEMENTS = 3;
+constexpr int MOST_REFINEMENTS = 2;
 
 bool
 isRule (AdjacencyRule rule)
@@ -110,9 +110,10 @@ reconstruct (const NeighborhoodGraph& graph, const Eigen::Ref<const Eigen::Matri
       return Status::CANCELLED;
     result.mesh = findFaces (graph, result.tiles, result.landmarks.size (), result.contacts,
                              parameters.face_rule, parameters.maximum_face_length, parameters.threads);
+    if (!parameters.refine || parameters.hops <= FEWEST_HOPS || ++rounds == MOST_REFINEMENTS)
+      break;
     crowded = crowdedTiles (result.mesh);
-  } while (parameters.refine && parameters.hops > FEWEST_HOPS && !crowded.empty () &&
-           ++rounds < MOST_REFINEMENTS);
+  } while (!crowded.empty ());
   const Eigen::MatrixXd landmark_points = pointsOf (result.landmarks, points);
   constexpr Eigen::Index SPACE = 3;
   if (landmark_points.rows () == SPACE)
