@@ -20,8 +20,9 @@ namespace manifold {
 struct FixedPointCounts
 {
   std::size_t anchored = 0; ///< Delaunay triangles that meet their own dual Voronoi edges
-  std::size_t medial = 0;   ///< those of them near the medial axis; they can be in the complex as chained ones
-  std::size_t chained = 0;  ///< what the others generate: the complex has anchored - medial + chained triangles
+  std::size_t medial = 0; ///< those of them near the medial axis; they can be in the complex as chained ones
+  std::size_t chained =
+    0; ///< what the others generate: the complex has anchored - medial + chained triangles
 };
 
 } // namespace manifold
@@ -37,23 +38,23 @@ struct FixedPointCounts
  *
  * The guarantee: if the points are a 0.143-sample of a smooth closed surface, which means that from every
  * place of it there is a point within 0.143 times its distance to the medial axis, then with
- * setCriticalRatio (0.313) and setVotes (1) a part of the complex is homeomorphic to that surface and all of it
- * is near to it (Theorem 13). The walk of section 8 from the outside finds that part, and is what extracts it
- * with these constants wherever it encloses all samples.
+ * setCriticalRatio (0.313) and setVotes (1) a part of the complex is homeomorphic to that surface and all of
+ * it is near to it (Theorem 13). The walk of section 8 from the outside finds that part, and is what extracts
+ * it with these constants wherever it encloses all samples.
  *
  * Clouds of scanners are coarser than that at every edge, and with these constants fall apart there; the
  * defaults are for them, and so are the extraction of CoconeShape, which keeps the rims of open surfaces, and
- * setWatertight (). No theorem covers those. A hole in a surface that is flat all around it is closed. A stray
- * point beside the surface may become a spike of it: remove such points first.
+ * setWatertight (). No theorem covers those. A hole in a surface that is flat all around it is closed. A
+ * stray point beside the surface may become a spike of it: remove such points first.
  *
  * setInitialMesh () starts from a mesh instead, whose vertices may be other points than those of the cloud.
  *
  * On failure the output is empty and getStatus () says why: NO_INPUT, TOO_FEW_POINTS for fewer than three
  * distinct points, DIMENSION_TOO_LOW for points on a line and where no surface was found,
- * PARAMETER_OUT_OF_RANGE, INPUT_TOO_COARSE, INPUT_OUT_OF_RANGE, CANCELLED, OUT_OF_MEMORY, INTERNAL_ERROR (also
- * where the progress callback throws). Time and memory are those of a 3D Delaunay triangulation of the points. The
- * result is the same, bit for bit, for any number of threads and, up to renumbering, for any order of the
- * points.
+ * PARAMETER_OUT_OF_RANGE, INPUT_TOO_COARSE, INPUT_OUT_OF_RANGE, CANCELLED, OUT_OF_MEMORY, INTERNAL_ERROR
+ * (also where the progress callback throws). Time and memory are those of a 3D Delaunay triangulation of the
+ * points. The result is the same, bit for bit, for any number of threads and, up to renumbering, for any
+ * order of the points.
  *
  * The class derives from pcl::MeshConstruction for PCL's own point types with x, y and z, and from its base
  * pcl::PCLSurfaceBase, with the same functions, for all others: those need no PCL_NO_PRECOMPILE.
@@ -95,11 +96,11 @@ public:
   /** \brief Starts the restricted Delaunay operator from a mesh and applies it until nothing changes: the
    * fixed point is the result as it is, without any extraction. From a mesh near the surface, as that of
    * GraphReconstruction over a few of the points, this leads to one over all of them; where the mesh is too
-   * far away to be a good start the result may have edges of more than two triangles, and holes; one that meets
-   * no Voronoi edge leads to nothing, with the status OK.
-   * \param[in] mesh in the coordinates of the cloud; read when reconstruct () is called, which refuses a mesh
-   * without faces, or with vertices that are not finite, as PARAMETER_OUT_OF_RANGE. Polygons of fewer than three
-   * corners are left out. Null (the default) for none */
+   * far away to be a good start the result may have edges of more than two triangles, and holes; one that
+   * meets no Voronoi edge leads to nothing, with the status OK. \param[in] mesh in the coordinates of the
+   * cloud; read when reconstruct () is called, which refuses a mesh without faces, or with vertices that are
+   * not finite, as PARAMETER_OUT_OF_RANGE. Polygons of fewer than three corners are left out. Null (the
+   * default) for none */
   void setInitialMesh (const pcl::PolygonMesh::ConstPtr& mesh) { initial_mesh_ = mesh; }
 
   pcl::PolygonMesh::ConstPtr getInitialMesh () const { return initial_mesh_; }

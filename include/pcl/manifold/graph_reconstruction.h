@@ -112,10 +112,10 @@ public:
 
   int getMaximumFaceLength () const { return parameters_.maximum_face_length; }
 
-  /** \brief Whether faces of more than three edges are cut into triangles. Where none but edges of the mesh can cut
-   * a face, on parts as thin as a landmark, such an edge has more than two triangles then; a face that is not
-   * cut may pass a landmark twice there. setRefine () leaves few of these.
-   * \param[in] triangulate true by default */
+  /** \brief Whether faces of more than three edges are cut into triangles. Where none but edges of the mesh
+   * can cut a face, on parts as thin as a landmark, such an edge has more than two triangles then; a face
+   * that is not cut may pass a landmark twice there. setRefine () leaves few of these. \param[in] triangulate
+   * true by default */
   void setTriangulate (bool triangulate) { parameters_.triangulate = triangulate; }
 
   bool getTriangulate () const { return parameters_.triangulate; }
@@ -143,10 +143,10 @@ public:
    * PARAMETER_OUT_OF_RANGE.
    *
    * With an input cloud, coordinates choose only how larger faces are cut, and are not looked at where one of
-   * them is not finite: all vertices count. Vertex i is the i-th point of setIndices () (of the cloud if that was not called),
-   * and a graph of another size is refused with PARAMETER_OUT_OF_RANGE. Without one, the polygons and all
-   * getters index the vertices of the graph, and the mesh has no cloud.
-   * \param[in] graph null (the default) to go back to nearest neighbours */
+   * them is not finite: all vertices count. Vertex i is the i-th point of setIndices () (of the cloud if that
+   * was not called), and a graph of another size is refused with PARAMETER_OUT_OF_RANGE. Without one, the
+   * polygons and all getters index the vertices of the graph, and the mesh has no cloud. \param[in] graph
+   * null (the default) to go back to nearest neighbours */
   void setNeighborhoodGraph (std::shared_ptr<const manifold::NeighborhoodGraph> graph)
   {
     given_graph_ = std::move (graph);
@@ -181,7 +181,8 @@ public:
   pcl::Indices getLandmarks () const;
 
   /** \brief Per point (of those that setIndices () names, in their order) the number of its landmark, a
-   * position in getLandmarks (); a duplicate has that of the point that was kept, a point that is not finite -1. */
+   * position in getLandmarks (); a duplicate has that of the point that was kept, a point that is not finite
+   * -1. */
   std::vector<pcl::index_t> getTiles () const;
 
   /** \brief The pairs of landmarks, by their numbers, whose tiles touch, and whether that makes them

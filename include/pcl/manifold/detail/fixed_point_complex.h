@@ -87,9 +87,8 @@ PCL_MANIFOLD_DELAUNAY_EXPORTS FixedPoint fixedPoint (const DelaunayComplex& comp
 struct CriticalPointParameters
 {
   /// A sample v of an anchored triangle with the circumcentre z calls it medial if |vz| / |vp| is more than
-  /// this, p being the pole of v that is nearest to the direction of z, or the negative pole of an unbounded Voronoi
-  /// cell. Positive; 0.313 is what the guarantee
-  /// for 0.143-samples needs.
+  /// this, p being the pole of v that is nearest to the direction of z, or the negative pole of an unbounded
+  /// Voronoi cell. Positive; 0.313 is what the guarantee for 0.143-samples needs.
   double ratio = 0.313;
   /// How many of the three samples must do so for the triangle to be medial: 1 to 3. In the theory all agree.
   int votes = 1;
