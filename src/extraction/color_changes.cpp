@@ -1,6 +1,7 @@
 #include "extraction/color_changes.h"
 
 #include "common/parallel.h"
+#include "voronoi/voronoi_cell.h"
 
 #include <algorithm>
 
@@ -31,6 +32,18 @@ colorChanges (const DelaunayComplex& complex, const std::vector<std::uint8_t>& c
   for (const std::vector<Facet>& block : blocks)
     changes.insert (changes.end (), block.begin (), block.end ());
   return changes;
+}
+
+std::size_t
+countMissed (const DelaunayComplex& complex, const std::vector<std::uint8_t>& colors)
+{
+  std::vector<std::uint8_t> missed (static_cast<std::size_t> (complex.samples->size ()));
+  parallelFor (missed.size (), [&] (std::size_t i) {
+    const VoronoiCell star (complex, static_cast<std::int32_t> (i));
+    missed[i] = std::all_of (star.begin (), star.end (),
+                             [&] (std::int32_t cell) { return colors[cell] == colors[*star.begin ()]; });
+  });
+  return static_cast<std::size_t> (std::count (missed.begin (), missed.end (), 1));
 }
 
 bool

@@ -1,6 +1,5 @@
 #include "extraction/extract_shape.h"
 
-#include "common/parallel.h"
 #include "extraction/cell_coloring.h"
 #include "extraction/color_changes.h"
 #include "extraction/color_repair.h"
@@ -10,7 +9,6 @@
 #include "extraction/solids.h"
 #include "extraction/surface_growth.h"
 #include "extraction/surface_opening.h"
-#include "voronoi/voronoi_cell.h"
 
 #include <algorithm>
 #include <utility>
@@ -95,19 +93,6 @@ settleOnCandidates (const DelaunayComplex& complex, const FacetFlags& facets,
       if (!complex.isInfinite (neighbor))
         queue.push_back (neighbor);
   }
-}
-
-// How many samples have cells of one colour only around them.
-std::size_t
-countMissed (const DelaunayComplex& complex, const std::vector<std::uint8_t>& colors)
-{
-  std::vector<std::uint8_t> missed (static_cast<std::size_t> (complex.samples->size ()));
-  parallelFor (missed.size (), [&] (std::size_t i) {
-    const VoronoiCell star (complex, static_cast<std::int32_t> (i));
-    missed[i] = std::all_of (star.begin (), star.end (),
-                             [&] (std::int32_t cell) { return colors[cell] == colors[*star.begin ()]; });
-  });
-  return static_cast<std::size_t> (std::count (missed.begin (), missed.end (), 1));
 }
 
 // Moves the changes of colour onto the candidates of another method as far as possible.

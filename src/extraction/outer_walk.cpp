@@ -1,9 +1,7 @@
 #include "extraction/outer_walk.h"
 
 #include "common/large_pages.h"
-#include "common/parallel.h"
-
-#include <algorithm>
+#include "extraction/color_changes.h"
 
 namespace pcl {
 namespace manifold {
@@ -29,15 +27,7 @@ walkOutside (const DelaunayComplex& complex, const FacetFlags& facets, std::vect
       if (!facets.contains (cell, k))
         reach (complex.neighbors[cell][k]);
   }
-
-  std::vector<std::uint8_t> missed (static_cast<std::size_t> (complex.samples->size ()));
-  parallelFor (missed.size (), [&] (std::size_t i) {
-    const auto begin = complex.incident_cells.begin () + complex.incident_offsets[i];
-    const auto end = complex.incident_cells.begin () + complex.incident_offsets[i + 1];
-    const auto isReached = [&colors] (std::int32_t cell) { return colors[cell] == 0; };
-    missed[i] = std::none_of (begin, end, isReached) || std::all_of (begin, end, isReached) ? 1 : 0;
-  });
-  return std::find (missed.begin (), missed.end (), 1) == missed.end ();
+  return countMissed (complex, colors) == 0;
 }
 
 } // namespace manifold
