@@ -15,9 +15,6 @@ namespace {
 constexpr pcl::index_t FEWEST_VERTICES = 3;
 constexpr int SHORTEST_FACE = 3;
 
-// No landmarks are added where they are as near as this already.
-constexpr int FEWEST_HOPS = 3;
-
 // So often they are added at most.
 constexpr int MOST_REFINEMENTS = 2;
 
@@ -101,19 +98,22 @@ reconstruct (const NeighborhoodGraph& graph, const Eigen::Ref<const Eigen::Matri
 
   // Landmarks are added where tiles are no disks, and then where that was not enough.
   std::vector<pcl::index_t> crowded;
-  int rounds = 0;
-  do {
-    const float fraction = 0.75f + 0.07f * static_cast<float> (rounds);
+  for (int round = 0; round < MOST_REFINEMENTS; ++round) {
+    const float fraction = 0.75f + 0.07f * static_cast<float> (round);
+    const std::size_t before = result.landmarks.size ();
     if (parameters.refine && !refine (graph, parameters, crowded, fraction, log, result))
       return Status::CANCELLED;
+    if (round > 0 && result.landmarks.size () == before)
+      break;
     if (!log.begin ("faces", fraction + 0.04f))
       return Status::CANCELLED;
     result.mesh = findFaces (graph, result.tiles, result.landmarks.size (), result.contacts,
                              parameters.face_rule, parameters.maximum_face_length, parameters.threads);
-    if (!parameters.refine || parameters.hops <= FEWEST_HOPS || ++rounds == MOST_REFINEMENTS)
+    if (parameters.refine)
+      crowded = crowdedTiles (result.mesh);
+    if (crowded.empty ())
       break;
-    crowded = crowdedTiles (result.mesh);
-  } while (!crowded.empty ());
+  }
   const Eigen::MatrixXd landmark_points = pointsOf (result.landmarks, points);
   constexpr Eigen::Index SPACE = 3;
   if (landmark_points.rows () == SPACE)
