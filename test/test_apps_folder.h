@@ -32,7 +32,8 @@ public:
   /** \brief The path of a file in the folder. */
   std::string operator/ (const std::string& name) const { return (path_ / name).string (); }
 
-  /** \brief Writes a file. \return its path */
+  /** \brief Writes a file.
+   * \return its path */
   std::string write (const std::string& name, const std::string& content) const
   {
     std::ofstream (*this / name, std::ios::binary) << content;

@@ -16,7 +16,9 @@ struct Outcome
   std::string out, error;
 };
 
-/** Runs an app in a shell. \param[in] before commands ahead of it \param[in] out where its output goes */
+/** Runs an app in a shell.
+ * \param[in] before commands ahead of it
+ * \param[in] out where its output goes */
 inline Outcome
 run (const TestFolder& logs, const std::string& app, const std::string& arguments,
      const std::string& before = {}, const std::string& out = {})

@@ -1,6 +1,6 @@
 // From the points of a cloud to the vertices of a graph, and from a mesh of landmarks to one that is turned
 // outwards.
-#include "graph/outward_faces.h"
+#include "graph/faces/outward_faces.h"
 
 #include <gtest/gtest.h>
 #include <pcl/manifold/detail/cloud_graph.h>

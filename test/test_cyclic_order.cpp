@@ -1,7 +1,7 @@
 // Cyclic orders against all permutations.
 #include "oracle_random.h"
 
-#include "graph/cyclic_order.h"
+#include "graph/faces/cyclic_order.h"
 
 #include <gtest/gtest.h>
 

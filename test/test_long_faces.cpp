@@ -1,7 +1,7 @@
 // Faces that are cut because they are too long.
 #include "oracle_landmark_mesh.h"
 
-#include "graph/long_faces.h"
+#include "graph/faces/long_faces.h"
 
 #include <gtest/gtest.h>
 

@@ -101,7 +101,8 @@ provedBounds (double eps)
 }
 
 /** \brief How far triangles are from the surface at most: at their corners, at the middles of their edges and
- * of themselves. \param[in] points of the cloud that the complex is over */
+ * of themselves.
+ * \param[in] points of the cloud that the complex is over */
 inline Closeness
 closenessOf (const pcl::SimplicialComplex& complex, const Eigen::Matrix3Xd& points,
              const SmoothSurface& surface)
@@ -130,7 +131,8 @@ struct FixedPointEvaluation
   pcl::manifold::FixedPointResult result;
 };
 
-/** \brief Reconstructs a cloud. \param[in] complex of the same cloud, or null */
+/** \brief Reconstructs a cloud.
+ * \param[in] complex of the same cloud, or null */
 inline FixedPointEvaluation
 reconstructFixedPoint (const Eigen::Matrix3Xd& points, const pcl::manifold::CriticalPointParameters& critical,
                        unsigned int threads = 0,

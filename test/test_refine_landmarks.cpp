@@ -1,9 +1,9 @@
 // The added landmarks against their definition, by the hops between all pairs of vertices.
 #include "oracle_graph_kinds.h"
 
-#include "graph/hop_rings.h"
-#include "graph/priority.h"
-#include "graph/tile_rings.h"
+#include "graph/landmarks/hop_rings.h"
+#include "graph/landmarks/priority.h"
+#include "graph/landmarks/tile_rings.h"
 
 #include <gtest/gtest.h>
 

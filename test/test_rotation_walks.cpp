@@ -3,8 +3,8 @@
 #include "oracle_landmark_mesh.h"
 #include "oracle_tilings.h"
 
-#include "graph/bridges.h"
-#include "graph/tile_directions.h"
+#include "graph/faces/bridges.h"
+#include "graph/faces/tile_directions.h"
 
 #include <gtest/gtest.h>
 

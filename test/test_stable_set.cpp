@@ -1,7 +1,7 @@
 // Stable sets against their definition, by the hops between all pairs of vertices.
 #include "oracle_graph_kinds.h"
 
-#include "graph/priority.h"
+#include "graph/landmarks/priority.h"
 
 #include <gtest/gtest.h>
 

@@ -23,7 +23,8 @@ appendVertex (const InputFile& file, const std::vector<std::string_view>& words,
   }
 }
 
-/** \brief Reads the next line that holds anything but a comment. \return false at the end of the file */
+/** \brief Reads the next line that holds anything but a comment.
+ * \return false at the end of the file */
 bool
 readWords (InputFile& file, std::string& line, std::vector<std::string_view>& words)
 {

@@ -47,7 +47,8 @@ private:
     file_.failAtLine (std::string (word) + " " + what);
   }
 
-  /** \brief Reads one line that is no comment. \return true if it was the last one */
+  /** \brief Reads one line that is no comment.
+   * \return true if it was the last one */
   bool takeLine (const Words& words)
   {
     const std::string_view key = words[0];

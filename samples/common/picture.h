@@ -29,7 +29,9 @@ public:
 
   /** \brief Draws the panels side by side, more than three of them in two rows, on white, each with its
    * caption and its legend, under a title; writes the file atomically. Back faces of triangles have another
-   * tint. Does nothing if no picture is wanted. \param[in] title one line \param[in] panels at least one
+   * tint. Does nothing if no picture is wanted.
+   * \param[in] title one line
+   * \param[in] panels at least one
    * \param[in] width of the picture, in pixels
    * \param[in] height of the picture, in pixels
    * \throws AppError if drawing or writing fails */

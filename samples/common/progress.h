@@ -21,7 +21,8 @@ public:
   /** \brief Ends the line of an unfinished bar. */
   ~Progress ();
 
-  /** \brief Shows a fraction in [0, 1]. \return false once the user pressed Ctrl-C */
+  /** \brief Shows a fraction in [0, 1].
+   * \return false once the user pressed Ctrl-C */
   bool update (float fraction);
 
   /** \brief update () as the library calls it; not to be called once this object is gone. */

@@ -9,7 +9,8 @@
 
 namespace pcl::manifold::apps {
 
-/** \brief Reads every word as a number. \return false if there is none, or one is no number */
+/** \brief Reads every word as a number.
+ * \return false if there is none, or one is no number */
 bool parseNumbers (const std::vector<std::string_view>& words, std::vector<double>& numbers);
 
 /** \brief A cloud with the FLOAT64 fields x, y, z, column_4, column_5, ...

@@ -6,8 +6,8 @@ namespace manifold {
 namespace {
 
 /** \brief Walks around the vertex of a corner, leaving the corner's face across one of the corner's two
- * sides. A corner goes by the number of the side that leaves it. \return the side at which the walk ended, or
- * SurfaceSides::border if it came back to where it started */
+ * sides. A corner goes by the number of the side that leaves it.
+ * \return the side at which the walk ended, or SurfaceSides::border if it came back to where it started */
 std::uint32_t
 walkAround (const SurfaceSides& sides, std::uint32_t start, std::uint32_t side, std::vector<bool>& seen)
 {

@@ -35,7 +35,9 @@ struct SurfaceSides
   std::size_t degenerate_faces = 0;
 
   /** \brief Sort out the sides of some faces; linear in their number, but for faces around one vertex n log
-   * n. \param[in] faces any rows \param[in] index_end faces with an index from here on count as degenerate
+   * n.
+   * \param[in] faces any rows
+   * \param[in] index_end faces with an index from here on count as degenerate
    * \throw std::length_error for 2^32 - 2 sides or more */
   explicit SurfaceSides (const FaceRows& faces, std::size_t index_end = static_cast<std::size_t> (-1));
 

@@ -27,7 +27,8 @@ std::size_t repairColors (const SurfaceCandidates& candidates, bool closed,
 
 /** Brings samples of surfaces, around which all cells have one colour, onto the surface: a cell between the
  * sample and a triangle of the surface changes over, which splits the triangle in three. The surface stays a
- * manifold. \return the number of samples that are still not on it */
+ * manifold.
+ * \return the number of samples that are still not on it */
 std::size_t insertSamples (const SampleDimensions& dimensions, const std::vector<Role>& roles,
                            std::vector<std::uint8_t>& colors);
 

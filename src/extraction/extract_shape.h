@@ -19,7 +19,8 @@ struct GivenCandidates
  * \param[in] watertight closes every surface
  * \param[in] given the candidates for surfaces of another method; null for those of COCONESHAPE
  * \param[in,out] log told of each stage; where it says that the computation was cancelled, the result is
- * empty \return indices are those of samples; triangles are oriented consistently where that is possible */
+ * empty
+ * \return indices are those of samples; triangles are oriented consistently where that is possible */
 SimplicialComplex extractShape (const SampleDimensions& dimensions, bool watertight, StageLog& log,
                                 const GivenCandidates* given = nullptr);
 

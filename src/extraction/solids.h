@@ -20,9 +20,9 @@ struct SolidCells
 SolidCells findSolidCells (const SampleDimensions& dimensions, const std::vector<Role>& roles);
 
 /** The cells that make up solids, as a flag per cell: the certain ones, and the possible ones of the same
- * colour next to them. \param[in] closed solids are whole regions of one colour instead, so that their
- * boundary is part of the surface where the colour changes The boundary of the result is a manifold at every
- * sample. */
+ * colour next to them.
+ * \param[in] closed solids are whole regions of one colour instead, so that their boundary is part of the
+ * surface where the colour changes The boundary of the result is a manifold at every sample. */
 std::vector<std::uint8_t> findSolids (const SampleDimensions& dimensions, const std::vector<Role>& roles,
                                       const SolidCells& cells, const std::vector<std::uint8_t>& colors,
                                       bool closed);

@@ -15,7 +15,8 @@ FacetFlags noFacets (const DelaunayComplex& complex);
 /** A triangle as the facet of its cell with the smaller number, given as that of either cell. */
 Facet canonicalFacet (const DelaunayComplex& complex, const Facet& facet);
 
-/** Sets the flag of a triangle. \return whether it was not set before */
+/** Sets the flag of a triangle.
+ * \return whether it was not set before */
 bool setFacet (const DelaunayComplex& complex, const Facet& facet, FacetFlags& flags);
 
 /** The triangles of a set in ascending order, each as the facet of its cell with the smaller number. */

@@ -1,8 +1,8 @@
 #include <pcl/manifold/detail/reconstruct_graph.h>
 
 #include "common/guarded.h"
-#include "graph/crowded_tiles.h"
-#include "graph/outward_faces.h"
+#include "graph/faces/crowded_tiles.h"
+#include "graph/faces/outward_faces.h"
 
 #include <cassert>
 #include <utility>
@@ -54,7 +54,8 @@ pointsOf (const std::vector<pcl::index_t>& landmarks, const Eigen::Ref<const Eig
   return result.allFinite () ? result : Eigen::MatrixXd ();
 }
 
-/** The tiles of the landmarks, and which of them touch. \return false if the user cancelled */
+/** The tiles of the landmarks, and which of them touch.
+ * \return false if the user cancelled */
 bool
 makeTiles (const NeighborhoodGraph& graph, const GraphParameters& parameters, float fraction, StageLog& log,
            GraphMesh& result)
@@ -69,7 +70,8 @@ makeTiles (const NeighborhoodGraph& graph, const GraphParameters& parameters, fl
   return true;
 }
 
-/** Adds landmarks, and makes the tiles again where there are any. \return false if the user cancelled */
+/** Adds landmarks, and makes the tiles again where there are any.
+ * \return false if the user cancelled */
 bool
 refine (const NeighborhoodGraph& graph, const GraphParameters& parameters,
         const std::vector<pcl::index_t>& crowded, float fraction, StageLog& log, GraphMesh& result)

@@ -17,7 +17,8 @@ struct Model
   must_show::Expected watertight;
 };
 
-/** \brief Clouds whose shape is known. \param[in] seeds number of samples of each shape
+/** \brief Clouds whose shape is known.
+ * \param[in] seeds number of samples of each shape
  * \param[in] large add those of 10^5 points */
 std::vector<Model> generatedModels (int seeds, bool large);
 

@@ -49,9 +49,9 @@ PCL_MANIFOLD_CORE_EXPORTS bool saveComplex (const std::string& file, const pcl::
 
 /** \brief Write a mesh of polygons of any sizes, as they are: polygons of two vertices as edges, larger ones
  * as faces of PLY and OBJ and as cells of VTK's formats. Otherwise as saveComplex (); loadComplex () reads
- * the file with larger polygons cut into triangles. \param[in] mesh its polygons must have two vertices or
- * more, all of them points of its cloud \return false on failure, a polygon with too few or wrong vertices
- * among others */
+ * the file with larger polygons cut into triangles.
+ * \param[in] mesh its polygons must have two vertices or more, all of them points of its cloud
+ * \return false on failure, a polygon with too few or wrong vertices among others */
 PCL_MANIFOLD_CORE_EXPORTS bool savePolygonMesh (const std::string& file, const pcl::PolygonMesh& mesh,
                                                 std::string& error, bool ascii = false);
 

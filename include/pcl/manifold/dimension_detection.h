@@ -51,8 +51,8 @@ public:
   double getRho () const { return parameters_.rho; }
 
   /** \brief Thins the cloud to a greedy subset in which no point is among the k nearest neighbours of
-   * another. \param[in] k 0 = off (the default); 4 to 8 for airborne scans, 24 to 48 for random or noisy
-   * samples */
+   * another.
+   * \param[in] k 0 = off (the default); 4 to 8 for airborne scans, 24 to 48 for random or noisy samples */
   void setKSearch (int k) { parameters_.thinning.k_search = k; }
 
   int getKSearch () const { return parameters_.thinning.k_search; }

@@ -97,10 +97,10 @@ public:
    * fixed point is the result as it is, without any extraction. From a mesh near the surface, as that of
    * GraphReconstruction over a few of the points, this leads to one over all of them; where the mesh is too
    * far away to be a good start the result may have edges of more than two triangles, and holes; one that
-   * meets no Voronoi edge leads to nothing, with the status OK. \param[in] mesh in the coordinates of the
-   * cloud; read when reconstruct () is called, which refuses a mesh without faces, or with vertices that are
-   * not finite, as PARAMETER_OUT_OF_RANGE. Polygons of fewer than three corners are left out. Null (the
-   * default) for none */
+   * meets no Voronoi edge leads to nothing, with the status OK.
+   * \param[in] mesh in the coordinates of the cloud; read when reconstruct () is called, which refuses a mesh
+   * without faces, or with vertices that are not finite, as PARAMETER_OUT_OF_RANGE. Polygons of fewer than
+   * three corners are left out. Null (the default) for none */
   void setInitialMesh (const pcl::PolygonMesh::ConstPtr& mesh) { initial_mesh_ = mesh; }
 
   pcl::PolygonMesh::ConstPtr getInitialMesh () const { return initial_mesh_; }

@@ -81,7 +81,8 @@ public:
 
   /** \brief Whether there are more landmarks where those of a maximal k-hop stable set would be too few to
    * tell the topology: on thin tubes and handles, in narrow gaps and on small clouds, see refineLandmarks ().
-   * Of this library. \param[in] refine true by default; false for the same distance everywhere, as published
+   * Of this library.
+   * \param[in] refine true by default; false for the same distance everywhere, as published
    */
   void setRefine (bool refine) { parameters_.refine = refine; }
 
@@ -114,8 +115,8 @@ public:
 
   /** \brief Whether faces of more than three edges are cut into triangles. Where none but edges of the mesh
    * can cut a face, on parts as thin as a landmark, such an edge has more than two triangles then; a face
-   * that is not cut may pass a landmark twice there. setRefine () leaves few of these. \param[in] triangulate
-   * true by default */
+   * that is not cut may pass a landmark twice there. setRefine () leaves few of these.
+   * \param[in] triangulate true by default */
   void setTriangulate (bool triangulate) { parameters_.triangulate = triangulate; }
 
   bool getTriangulate () const { return parameters_.triangulate; }
@@ -145,8 +146,8 @@ public:
    * With an input cloud, coordinates choose only how larger faces are cut, and are not looked at where one of
    * them is not finite: all vertices count. Vertex i is the i-th point of setIndices () (of the cloud if that
    * was not called), and a graph of another size is refused with PARAMETER_OUT_OF_RANGE. Without one, the
-   * polygons and all getters index the vertices of the graph, and the mesh has no cloud. \param[in] graph
-   * null (the default) to go back to nearest neighbours */
+   * polygons and all getters index the vertices of the graph, and the mesh has no cloud.
+   * \param[in] graph null (the default) to go back to nearest neighbours */
   void setNeighborhoodGraph (std::shared_ptr<const manifold::NeighborhoodGraph> graph)
   {
     given_graph_ = std::move (graph);

@@ -80,8 +80,9 @@ PCL_MANIFOLD_CORE_EXPORTS std::vector<TileContact> tileContacts (const Neighborh
  * \param[in] tiles of graphVoronoiDiagram
  * \param[in] contacts of tileContacts, by any rule
  * \param[in] crowded tiles around which landmarks may be at 3 hops whatever the rings say: those of faces
- * that pass a landmark twice, for instance \param[in] threads 0 = all cores; the result is the same for any
- * number \return all landmarks, in ascending order */
+ * that pass a landmark twice, for instance
+ * \param[in] threads 0 = all cores; the result is the same for any number
+ * \return all landmarks, in ascending order */
 PCL_MANIFOLD_CORE_EXPORTS std::vector<pcl::index_t> refineLandmarks (
   const NeighborhoodGraph& graph, int hops, std::uint64_t seed, const std::vector<pcl::index_t>& landmarks,
   const std::vector<pcl::index_t>& tiles, const std::vector<TileContact>& contacts,

@@ -78,9 +78,10 @@ PCL_MANIFOLD_CORE_EXPORTS Orientation orientTriangles (std::vector<SimplicialCom
 /** \brief As orientTriangles (triangles), then every orientable patch without boundary is turned outward:
  * it encloses a positive volume. A patch with a boundary is turned away from its middle if it is bent around
  * that; if not, as a flat one, it keeps the direction of its first triangle. The wall of a cavity is turned
- * away from the cavity, as every other closed surface is away from its inside. \param[in,out] triangles their
- * order and their sets of vertices stay as they are \param[in] points coordinates, one column a vertex;
- * triangles that point beyond the last are left alone \return the numbers of patches */
+ * away from the cavity, as every other closed surface is away from its inside.
+ * \param[in,out] triangles their order and their sets of vertices stay as they are
+ * \param[in] points coordinates, one column a vertex; triangles that point beyond the last are left alone
+ * \return the numbers of patches */
 PCL_MANIFOLD_CORE_EXPORTS Orientation orientTriangles (std::vector<SimplicialComplex::Triangle>& triangles,
                                                        const Eigen::Ref<const Eigen::Matrix3Xd>& points);
 

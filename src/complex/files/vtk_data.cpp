@@ -37,7 +37,8 @@ coordinateColumns (const VtkArray& points)
   return columns;
 }
 
-/** \brief Takes one cell. \return false if its type cannot be taken or has another number of vertices */
+/** \brief Takes one cell.
+ * \return false if its type cannot be taken or has another number of vertices */
 bool
 takeCell (std::int64_t type, const pcl::Indices& cell, SimplexCollector& collector)
 {

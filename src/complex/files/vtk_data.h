@@ -58,7 +58,8 @@ std::vector<std::int64_t> wholeValues (const VtkArray& array);
 FileContent assembleVtk (const VtkArray& points, std::vector<VtkArray> arrays, const VtkCells& cells);
 
 /** \brief The type that the coordinates of a cloud are written in: FLOAT32 if all three are that, else
- * FLOAT64. \param[in] xyz the three fields */
+ * FLOAT64.
+ * \param[in] xyz the three fields */
 ScalarType coordinateType (const std::array<CloudField, 3>& xyz);
 
 } // namespace manifold

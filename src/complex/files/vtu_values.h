@@ -19,8 +19,10 @@ struct VtuEncoding
 };
 
 /** \brief The bytes of an array, in this machine's byte order. The length stands before them, and with zlib
- * the number and the sizes of the blocks. \param[in] bytes the file from where the array starts; what lies
- * behind the array does no harm \param[in] base64 or else raw \param[in] type of the array's values
+ * the number and the sizes of the blocks.
+ * \param[in] bytes the file from where the array starts; what lies behind the array does no harm
+ * \param[in] base64 or else raw
+ * \param[in] type of the array's values
  * \param[in] encoding as the file's first tag says
  * \throw FileError if the bytes are not what they should be */
 std::vector<std::uint8_t> readVtuBinary (std::string_view bytes, bool base64, ScalarType type,
