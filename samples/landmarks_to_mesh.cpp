@@ -11,9 +11,9 @@
 #include "topology_json.h"
 
 #include <pcl/manifold/complex_io.h>
-#include <pcl/manifold/detail/mesh_pieces.h>
 #include <pcl/manifold/fixed_point_reconstruction.h>
 #include <pcl/manifold/graph_reconstruction.h>
+#include <pcl/manifold/mesh_pieces.h>
 
 #include <iomanip>
 #include <iostream>

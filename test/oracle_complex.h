@@ -2,7 +2,7 @@
 
 #include "oracle_exact.h"
 
-#include <pcl/manifold/detail/delaunay_complex.h>
+#include <pcl/manifold/delaunay_complex.h>
 
 #include <Eigen/Geometry>
 

@@ -2,8 +2,8 @@
 
 #include "oracle_random.h"
 
-#include <pcl/manifold/detail/delaunay_complex.h>
-#include <pcl/manifold/detail/sample_set.h>
+#include <pcl/manifold/delaunay_complex.h>
+#include <pcl/manifold/sample_set.h>
 
 #include <Eigen/Core>
 

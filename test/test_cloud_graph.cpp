@@ -3,9 +3,9 @@
 #include "graph/faces/outward_faces.h"
 
 #include <gtest/gtest.h>
-#include <pcl/manifold/detail/cloud_graph.h>
-#include <pcl/manifold/detail/reconstruct_graph.h>
-#include <pcl/manifold/detail/sample_set.h>
+#include <pcl/manifold/cloud_graph.h>
+#include <pcl/manifold/reconstruct_graph.h>
+#include <pcl/manifold/sample_set.h>
 
 #include <algorithm>
 #include <limits>

@@ -5,7 +5,7 @@
 #include "extraction/extract_shape.h"
 #include "voronoi/dimension.h"
 
-#include <pcl/manifold/detail/reconstruct_shape.h>
+#include <pcl/manifold/reconstruct_shape.h>
 #include <pcl/manifold/topology_report.h>
 
 #include <gtest/gtest.h>

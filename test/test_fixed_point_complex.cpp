@@ -3,7 +3,7 @@
 
 #include "common/parallel.h"
 
-#include <pcl/manifold/detail/fixed_point_complex.h>
+#include <pcl/manifold/fixed_point_complex.h>
 
 #include <gtest/gtest.h>
 

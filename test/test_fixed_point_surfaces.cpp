@@ -4,7 +4,7 @@
 
 #include "fixed_point/facet_flags.h"
 
-#include <pcl/manifold/detail/fixed_point_complex.h>
+#include <pcl/manifold/fixed_point_complex.h>
 
 #include "delaunay/circumcenter.h"
 

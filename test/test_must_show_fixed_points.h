@@ -7,7 +7,7 @@
 #include <generate/random.h>
 #include <generate/sampling.h>
 
-#include <pcl/manifold/detail/reconstruct_fixed_point.h>
+#include <pcl/manifold/reconstruct_fixed_point.h>
 
 #include <Eigen/Geometry>
 

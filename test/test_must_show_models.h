@@ -3,7 +3,7 @@
 #include <generate/labelled_cloud.h>
 #include <generate/shape.h>
 
-#include <pcl/manifold/detail/reconstruct_shape.h>
+#include <pcl/manifold/reconstruct_shape.h>
 #include <pcl/manifold/topology_report.h>
 
 #include <Eigen/Core>

@@ -4,7 +4,7 @@
 
 #include <generate/labelled_cloud.h>
 
-#include <pcl/manifold/detail/detect_dimensions.h>
+#include <pcl/manifold/detect_dimensions.h>
 
 #include <cmath>
 #include <cstddef>

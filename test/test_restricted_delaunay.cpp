@@ -5,7 +5,7 @@
 #include "fixed_point/facet_flags.h"
 #include "fixed_point/piece_walk.h"
 
-#include <pcl/manifold/detail/fixed_point_complex.h>
+#include <pcl/manifold/fixed_point_complex.h>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

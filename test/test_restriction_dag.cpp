@@ -4,7 +4,7 @@
 #include "fixed_point/anchored.h"
 #include "fixed_point/restriction_dag.h"
 
-#include <pcl/manifold/detail/fixed_point_complex.h>
+#include <pcl/manifold/fixed_point_complex.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "command_line.h"
 #include "report.h"
 
-#include <pcl/manifold/detail/reconstruct_graph.h>
+#include <pcl/manifold/reconstruct_graph.h>
 
 #include <string>
 

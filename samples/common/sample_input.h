@@ -5,8 +5,8 @@
 #include "report.h"
 #include "table.h"
 
-#include <pcl/manifold/detail/sample_set.h>
-#include <pcl/manifold/detail/stage_log.h>
+#include <pcl/manifold/sample_set.h>
+#include <pcl/manifold/stage_log.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 

@@ -5,7 +5,7 @@
 #include "landmark_report.h"
 #include "table.h"
 
-#include <pcl/manifold/detail/sample_set.h>
+#include <pcl/manifold/sample_set.h>
 
 #include <algorithm>
 #include <iomanip>

@@ -5,8 +5,8 @@
 #include "scene.h"
 
 #include <pcl/PolygonMesh.h>
-#include <pcl/manifold/detail/cloud_graph.h>
-#include <pcl/manifold/detail/reconstruct_graph.h>
+#include <pcl/manifold/cloud_graph.h>
+#include <pcl/manifold/reconstruct_graph.h>
 
 #include <memory>
 #include <string>

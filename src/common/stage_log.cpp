@@ -1,4 +1,4 @@
-#include <pcl/manifold/detail/stage_log.h>
+#include <pcl/manifold/stage_log.h>
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <sys/resource.h>

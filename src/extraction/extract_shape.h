@@ -1,9 +1,9 @@
 #pragma once
 
-#include <pcl/manifold/detail/fixed_point_complex.h>
-#include <pcl/manifold/detail/sample_dimensions.h>
-#include <pcl/manifold/detail/stage_log.h>
+#include <pcl/manifold/fixed_point_complex.h>
+#include <pcl/manifold/sample_dimensions.h>
 #include <pcl/manifold/simplicial_complex.h>
+#include <pcl/manifold/stage_log.h>
 
 namespace pcl {
 namespace manifold {

@@ -1,6 +1,6 @@
-#include <pcl/manifold/detail/reconstruct_shape.h>
+#include <pcl/manifold/detail/guarded.h>
+#include <pcl/manifold/reconstruct_shape.h>
 
-#include "common/guarded.h"
 #include "common/parallel.h"
 #include "extraction/candidates.h"
 #include "extraction/extract_shape.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/manifold/detail/sample_dimensions.h>
+#include <pcl/manifold/sample_dimensions.h>
 
 #include <cstdint>
 #include <vector>

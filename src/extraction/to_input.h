@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/manifold/detail/sample_set.h>
+#include <pcl/manifold/sample_set.h>
 #include <pcl/manifold/simplicial_complex.h>
 
 namespace pcl {

@@ -1,4 +1,5 @@
-#include "common/guarded.h"
+#include <pcl/manifold/detail/guarded.h>
+
 #include "fixed_point/anchored.h"
 #include "fixed_point/critical_points.h"
 #include "fixed_point/restriction_dag.h"

@@ -1,6 +1,5 @@
-#include <pcl/manifold/detail/mesh_pieces.h>
-
-#include "common/guarded.h"
+#include <pcl/manifold/detail/guarded.h>
+#include <pcl/manifold/mesh_pieces.h>
 
 #include <algorithm>
 #include <array>

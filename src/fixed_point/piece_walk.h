@@ -5,7 +5,7 @@
 #include "fixed_point/edge_ring.h"
 #include "fixed_point/key_set.h"
 
-#include <pcl/manifold/detail/delaunay_complex.h>
+#include <pcl/manifold/delaunay_complex.h>
 
 #include <algorithm>
 #include <array>

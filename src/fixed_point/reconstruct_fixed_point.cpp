@@ -1,6 +1,6 @@
-#include <pcl/manifold/detail/reconstruct_fixed_point.h>
+#include <pcl/manifold/detail/guarded.h>
+#include <pcl/manifold/reconstruct_fixed_point.h>
 
-#include "common/guarded.h"
 #include "common/parallel.h"
 #include "delaunay/sampled_complex.h"
 #include "extraction/extract_shape.h"

@@ -1,6 +1,6 @@
-#include <pcl/manifold/detail/reconstruct_graph.h>
+#include <pcl/manifold/detail/guarded.h>
+#include <pcl/manifold/reconstruct_graph.h>
 
-#include "common/guarded.h"
 #include "graph/faces/crowded_tiles.h"
 #include "graph/faces/outward_faces.h"
 

@@ -1,4 +1,4 @@
-#include <pcl/manifold/detail/sample_set.h>
+#include <pcl/manifold/sample_set.h>
 
 #include "common/large_pages.h"
 #include "common/parallel.h"

@@ -1,6 +1,6 @@
-#include <pcl/manifold/detail/detect_dimensions.h>
+#include <pcl/manifold/detail/guarded.h>
+#include <pcl/manifold/detect_dimensions.h>
 
-#include "common/guarded.h"
 #include "common/parallel.h"
 #include "delaunay/sampled_complex.h"
 #include "voronoi/dimension.h"

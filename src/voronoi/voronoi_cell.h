@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/manifold/detail/delaunay_complex.h>
+#include <pcl/manifold/delaunay_complex.h>
 
 #include "delaunay/circumcenter.h"
 

@@ -4,7 +4,7 @@
 #include "generate/implicit.h"
 #include "generate/sampling.h"
 
-#include <pcl/manifold/detail/reconstruct_shape.h>
+#include <pcl/manifold/reconstruct_shape.h>
 
 #include <chrono>
 #include <cstdio>

@@ -1,6 +1,6 @@
 /** \file
  * A user's program that links pcl_manifold::delaunay. It compiles without CGAL. */
-#include <pcl/manifold/detail/delaunay_complex.h>
+#include <pcl/manifold/delaunay_complex.h>
 
 #include <iostream>
 

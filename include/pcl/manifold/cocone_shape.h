@@ -1,7 +1,7 @@
 #pragma once
 
-#include <pcl/manifold/detail/reconstruct_shape.h>
 #include <pcl/manifold/dimension_detection.h>
+#include <pcl/manifold/reconstruct_shape.h>
 #include <pcl/manifold/simplicial_complex.h>
 #include <pcl/surface/reconstruction.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <pcl/PointIndices.h>
-#include <pcl/manifold/detail/detect_dimensions.h>
+#include <pcl/manifold/detect_dimensions.h>
 #include <pcl/manifold/export.h>
 #include <pcl/manifold/status.h>
 #include <pcl/pcl_base.h>

@@ -2,7 +2,7 @@
 
 #include <pcl/PolygonMesh.h>
 #include <pcl/manifold/detail/mesh_base.h>
-#include <pcl/manifold/detail/reconstruct_fixed_point.h>
+#include <pcl/manifold/reconstruct_fixed_point.h>
 #include <pcl/manifold/simplicial_complex.h>
 #include <pcl/manifold/status.h>
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <pcl/manifold/detail/cloud_graph.h>
+#include <pcl/manifold/cloud_graph.h>
 #include <pcl/manifold/detail/mesh_base.h>
-#include <pcl/manifold/detail/reconstruct_graph.h>
 #include <pcl/manifold/graph_faces.h>
 #include <pcl/manifold/graph_voronoi.h>
 #include <pcl/manifold/neighborhood_graph.h>
+#include <pcl/manifold/reconstruct_graph.h>
 #include <pcl/manifold/status.h>
 #include <pcl/point_representation.h>
 

@@ -1,6 +1,6 @@
-#include <pcl/manifold/detail/cloud_graph.h>
+#include <pcl/manifold/cloud_graph.h>
+#include <pcl/manifold/detail/guarded.h>
 
-#include "common/guarded.h"
 #include "common/parallel.h"
 #include "graph/landmarks/cloud_vertices.h"
 

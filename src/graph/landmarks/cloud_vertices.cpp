@@ -2,7 +2,7 @@
 
 #include "common/large_pages.h"
 
-#include <pcl/manifold/detail/sample_set.h>
+#include <pcl/manifold/sample_set.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/manifold/detail/cloud_graph.h>
+#include <pcl/manifold/cloud_graph.h>
 
 namespace pcl {
 namespace manifold {

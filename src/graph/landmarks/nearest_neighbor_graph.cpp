@@ -1,6 +1,6 @@
+#include <pcl/manifold/detail/guarded.h>
 #include <pcl/manifold/neighborhood_graph.h>
 
-#include "common/guarded.h"
 #include "common/large_pages.h"
 #include "common/parallel.h"
 #include "graph/landmarks/reverse_edges.h"

@@ -2,10 +2,10 @@
 
 #include <pcl/console/print.h>
 #include <pcl/conversions.h>
-#include <pcl/manifold/detail/mesh_pieces.h>
 #include <pcl/manifold/fixed_point_reconstruction.h>
 #include <pcl/manifold/impl/cloud_points.hpp>
 #include <pcl/manifold/impl/guarded_input.hpp>
+#include <pcl/manifold/mesh_pieces.h>
 
 template <typename PointT>
 pcl::manifold::Status

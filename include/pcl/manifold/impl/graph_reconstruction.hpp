@@ -2,10 +2,10 @@
 
 #include <pcl/console/print.h>
 #include <pcl/conversions.h>
-#include <pcl/manifold/detail/sample_set.h>
 #include <pcl/manifold/graph_reconstruction.h>
 #include <pcl/manifold/impl/guarded_input.hpp>
 #include <pcl/manifold/impl/represented_points.hpp>
+#include <pcl/manifold/sample_set.h>
 
 template <typename PointT>
 pcl::manifold::NeighborSearch

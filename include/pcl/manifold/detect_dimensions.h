@@ -1,8 +1,8 @@
 #pragma once
 
-#include <pcl/manifold/detail/sample_dimensions.h>
-#include <pcl/manifold/detail/sample_set.h>
-#include <pcl/manifold/detail/stage_log.h>
+#include <pcl/manifold/sample_dimensions.h>
+#include <pcl/manifold/sample_set.h>
+#include <pcl/manifold/stage_log.h>
 #include <pcl/manifold/export.h>
 #include <pcl/manifold/status.h>
 

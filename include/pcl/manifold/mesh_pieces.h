@@ -1,7 +1,7 @@
 #pragma once
 
 #include <pcl/PolygonMesh.h>
-#include <pcl/manifold/detail/fixed_point_complex.h>
+#include <pcl/manifold/fixed_point_complex.h>
 #include <pcl/manifold/export.h>
 #include <pcl/manifold/status.h>
 

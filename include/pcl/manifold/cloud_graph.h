@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/manifold/detail/stage_log.h>
+#include <pcl/manifold/stage_log.h>
 #include <pcl/manifold/export.h>
 #include <pcl/manifold/neighborhood_graph.h>
 #include <pcl/manifold/status.h>

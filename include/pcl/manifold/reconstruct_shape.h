@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/manifold/detail/detect_dimensions.h>
+#include <pcl/manifold/detect_dimensions.h>
 #include <pcl/manifold/export.h>
 #include <pcl/manifold/simplicial_complex.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pcl/manifold/detail/fixed_point_complex.h>
+#include <pcl/manifold/fixed_point_complex.h>
 #include <pcl/manifold/simplicial_complex.h>
 
 #include <memory>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <pcl/Vertices.h>
-#include <pcl/manifold/detail/stage_log.h>
+#include <pcl/manifold/stage_log.h>
 #include <pcl/manifold/export.h>
 #include <pcl/manifold/graph_faces.h>
 

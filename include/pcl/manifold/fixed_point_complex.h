@@ -1,7 +1,7 @@
 #pragma once
 
-#include <pcl/manifold/detail/delaunay_complex.h>
-#include <pcl/manifold/detail/stage_log.h>
+#include <pcl/manifold/delaunay_complex.h>
+#include <pcl/manifold/stage_log.h>
 #include <pcl/manifold/export.h>
 #include <pcl/manifold/status.h>
 
