@@ -82,12 +82,12 @@ checkThinning ()
   for (const double spacing : {-1.0, std::nan (""), HUGE_VAL}) {
     Run run;
     run.object.setInputCloud (cloudOf (torusAndKnot ()));
-    run.object.setSpacing (spacing);
+    run.object.setThinningDistance (spacing);
     expectFailure (run, Status::PARAMETER_OUT_OF_RANGE);
   }
   Run run;
   run.object.setInputCloud (cloudOf (torusAndKnot ()));
-  run.object.setKSearch (-1);
+  run.object.setThinningNeighbors (-1);
   expectFailure (run, Status::PARAMETER_OUT_OF_RANGE);
 }
 
@@ -140,7 +140,7 @@ checkDegenerateClouds (Run& run)
     SCOPED_TRACE (named.name);
     run.object.setInputCloud (cloudOf (named.points));
     for (const int k : {0, 1, 24}) {
-      run.object.setKSearch (k);
+      run.object.setThinningNeighbors (k);
       const bool empty = run ();
       EXPECT_EQ (empty, run.object.getStatus () != Status::OK)
         << pcl::manifold::toString (run.object.getStatus ());

@@ -45,7 +45,7 @@ reconstruct (const std::vector<Eigen::Vector3f>& points, unsigned int threads = 
   const auto run = std::make_shared<Reconstruction> ();
   run->object.setInputCloud (cloudOf (points));
   run->object.setNumberOfThreads (threads);
-  run->object.setKSearch (k);
+  run->object.setThinningNeighbors (k);
   (*run) ();
   EXPECT_EQ (run->object.getStatus (), Status::OK);
   return run;

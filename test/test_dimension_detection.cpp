@@ -41,7 +41,7 @@ detect (const std::vector<Eigen::Vector3f>& points, unsigned int threads = 1, in
   Detection run;
   run.object.setInputCloud (cloudOf (points));
   run.object.setNumberOfThreads (threads);
-  run.object.setKSearch (k);
+  run.object.setThinningNeighbors (k);
   run ();
   EXPECT_EQ (run.object.getStatus (), Status::OK);
   return run;
@@ -211,7 +211,7 @@ TEST (DimensionDetection, SpacingIsKept)
   Detection run;
   const std::vector<Eigen::Vector3f> points = torusAndKnot ();
   run.object.setInputCloud (cloudOf (points));
-  run.object.setSpacing (0.2);
+  run.object.setThinningDistance (0.2);
   EXPECT_FALSE (run ());
   const pcl::Indices samples = run.object.getSamples ();
   for (std::size_t i = 0; i < samples.size (); ++i)
@@ -234,10 +234,10 @@ TEST (DimensionDetection, SharesATriangulationOfTheSameCloudOnly)
   EXPECT_EQ (again.object.getDelaunayComplex (), complex);
   EXPECT_EQ (again.values (), first.values ());
 
-  again.object.setKSearch (4);
+  again.object.setThinningNeighbors (4);
   EXPECT_FALSE (again ());
   EXPECT_NE (again.object.getDelaunayComplex (), complex);
-  again.object.setKSearch (0);
+  again.object.setThinningNeighbors (0);
   again.object.setInputCloud (cloudOf (torusAndKnot (2)));
   EXPECT_FALSE (again ());
   EXPECT_NE (again.object.getDelaunayComplex (), complex);

@@ -75,7 +75,7 @@ reconstruct (const std::vector<Eigen::Vector3f>& points, const pcl::PolygonMesh:
   run->object.setInputCloud (cloudOf (points));
   run->object.setInitialMesh (initial);
   run->object.setNumberOfThreads (threads);
-  run->object.setKSearch (k);
+  run->object.setThinningNeighbors (k);
   (*run) ();
   EXPECT_EQ (run->object.getStatus (), Status::OK);
   return run;

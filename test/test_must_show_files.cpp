@@ -200,7 +200,7 @@ TEST (AirborneScan, WiresAreFound)
   detection.setInputCloud (cloud);
   double best = 0.0;
   for (int k = 4; k <= 8; ++k) {
-    detection.setKSearch (k);
+    detection.setThinningNeighbors (k);
     pcl::PointCloud<pcl::Label> labels;
     detection.compute (labels);
     const std::vector<std::uint8_t> dimension = detection.getManifoldDimension ();

@@ -31,7 +31,7 @@ inline DimensionScore
 scoreDimensions (const generate::LabelledCloud& cloud, double min_depth, int k_search)
 {
   pcl::manifold::DimensionParameters parameters;
-  parameters.thinning.k_search = k_search;
+  parameters.thinning.neighbors = k_search;
   pcl::manifold::StageLog log;
   std::shared_ptr<const pcl::manifold::SampleDimensions> dimensions;
   DimensionScore score;

@@ -133,8 +133,8 @@ TEST (SampleSet, DoesNotDependOnTheOrderOfTheInput)
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     const Eigen::Matrix3Xd cloud = dirtyCloud (seed);
     Thinning thinning;
-    thinning.k_search = static_cast<int> (seed % 3) * 2;
-    thinning.spacing = seed % 5 == 0 ? 0.1 : 0.0;
+    thinning.neighbors = static_cast<int> (seed % 3) * 2;
+    thinning.distance = seed % 5 == 0 ? 0.1 : 0.0;
     SampleSet a, b;
     ASSERT_EQ (makeSampleSet (cloud, {}, thinning, DOUBLES, a),
                makeSampleSet (shuffled (cloud, seed), {}, thinning, DOUBLES, b));

@@ -33,8 +33,8 @@ struct ThinningOptions
   template <typename Class>
   void apply (Class& object) const
   {
-    object.setKSearch (k);
-    object.setSpacing (spacing);
+    object.setThinningNeighbors (k);
+    object.setThinningDistance (spacing);
     object.setNumberOfThreads (static_cast<unsigned int> (common.threads));
   }
 };

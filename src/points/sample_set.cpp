@@ -79,11 +79,11 @@ std::vector<std::uint8_t>
 chooseSamples (const Thinning& thinning, const SampleSet& samples)
 {
   std::vector<std::uint8_t> kept (static_cast<std::size_t> (samples.size ()), 1);
-  if (thinning.spacing > 0.0)
-    kept = thinBySpacing (samples.points, thinning.spacing * samples.scale);
-  if (thinning.k_search > 0) {
+  if (thinning.distance > 0.0)
+    kept = thinBySpacing (samples.points, thinning.distance * samples.scale);
+  if (thinning.neighbors > 0) {
     const std::vector<std::uint8_t> of_kept =
-      thinByNeighbors (pointsWith (samples.points, kept, 1), thinning.k_search);
+      thinByNeighbors (pointsWith (samples.points, kept, 1), thinning.neighbors);
     auto next = of_kept.begin ();
     for (std::uint8_t& flag : kept)
       if (flag != 0)
@@ -153,7 +153,7 @@ makeSampleSet (const Eigen::Ref<const Eigen::Matrix3Xd>& points, const pcl::Indi
                const Thinning& thinning, double resolution, SampleSet& samples)
 {
   samples = SampleSet ();
-  if (thinning.k_search < 0 || !(thinning.spacing >= 0.0) || !std::isfinite (thinning.spacing))
+  if (thinning.neighbors < 0 || !(thinning.distance >= 0.0) || !std::isfinite (thinning.distance))
     return Status::PARAMETER_OUT_OF_RANGE;
 
   std::vector<std::int32_t> finite;

@@ -53,12 +53,15 @@ detectDimensions (const Eigen::Matrix3Xd& points, const pcl::Indices& indices, d
                   std::shared_ptr<const SampleDimensions>& result) noexcept
 {
   result.reset ();
-  return guarded ([&] {
-    Status status = Status::OK;
+  const Status status = guarded ([&] {
+    Status answer = Status::OK;
     withThreads (parameters.threads,
-                 [&] { status = detect (points, indices, resolution, parameters, log, result); });
-    return status;
+                 [&] { answer = detect (points, indices, resolution, parameters, log, result); });
+    return answer;
   });
+  if (status != Status::OK)
+    result.reset ();
+  return status;
 }
 
 } // namespace manifold

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <pcl/manifold/complex_reconstruction.h>
 #include <pcl/manifold/dimension_detection.h>
 #include <pcl/manifold/reconstruct_shape.h>
 #include <pcl/manifold/simplicial_complex.h>
-#include <pcl/surface/reconstruction.h>
 
 #include <memory>
 #include <utility>
@@ -30,113 +30,66 @@ namespace pcl {
  * \note The library is distributed under GPL-3, as CGAL's triangulations are.
  */
 template <typename PointT>
-class CoconeShape : public MeshConstruction<PointT>
+class CoconeShape : public manifold::ComplexReconstruction<PointT>
 {
 public:
+  /** \brief A shared pointer to an object of this class. */
   using Ptr = shared_ptr<CoconeShape<PointT>>;
+
+  /** \brief A shared pointer to a constant object of this class. */
   using ConstPtr = shared_ptr<const CoconeShape<PointT>>;
 
-  CoconeShape ()
-  {
-    // The Delaunay triangulation is all the search that is needed.
-    this->check_tree_ = false;
-  }
+  /** \brief Every parameter has its default. */
+  CoconeShape () : manifold::ComplexReconstruction<PointT> ("CoconeShape") {}
 
-  /** \brief See DimensionDetection::setRho. */
-  void setRho (double rho) { parameters_.dimension.rho = rho; }
+  /** \brief The largest ratio H1 / Hi at which subpolytope i still counts as a normal direction (section 4).
+   * \param[in] rho in (0, 1], else reconstruct () ends in PARAMETER_OUT_OF_RANGE; 0.3 by default, as in section
+   * 6 of the paper */
+  void setRho (double rho) { rho_ = rho; }
 
-  double getRho () const { return parameters_.dimension.rho; }
+  /** \brief The largest ratio of heights of a normal direction.
+   * \return see setRho () */
+  double getRho () const { return rho_; }
 
-  /** \brief See DimensionDetection::setKSearch. */
-  void setKSearch (int k) { parameters_.dimension.thinning.k_search = k; }
-
-  int getKSearch () const { return parameters_.dimension.thinning.k_search; }
-
-  /** \brief See DimensionDetection::setSpacing. */
-  void setSpacing (double spacing) { parameters_.dimension.thinning.spacing = spacing; }
-
-  double getSpacing () const { return parameters_.dimension.thinning.spacing; }
-
-  /** \param[in] threads 0 = all cores (the default) */
-  void setNumberOfThreads (unsigned int threads) { parameters_.dimension.threads = threads; }
-
-  unsigned int getNumberOfThreads () const { return parameters_.dimension.threads; }
-
-  void setProgressCallback (manifold::ProgressCallback callback)
-  {
-    parameters_.dimension.progress = std::move (callback);
-  }
-
-  /** \brief Closes every surface: what the samples leave open is spanned by Delaunay triangles.
-   * \param[in] watertight false by default */
-  void setWatertight (bool watertight) { parameters_.watertight = watertight; }
-
-  bool getWatertight () const { return parameters_.watertight; }
-
-  /** \brief Triangulation of the same cloud, indices and thinning to be used instead of a new one. Handed in
-   * for another cloud it is not used. */
-  void setDelaunayComplex (std::shared_ptr<const manifold::DelaunayComplex> complex)
-  {
-    parameters_.dimension.complex = std::move (complex);
-  }
-
-  /** \brief Dimensions of the same cloud, indices and thinning, of DimensionDetection::getSampleDimensions
-   * (), to be used instead of new ones; its rho counts. Handed in for another cloud they are not used. */
+  /** \brief Dimensions of the same cloud, indices and thinning, of DimensionDetection::getSampleDimensions (),
+   * to be used instead of new ones; their rho counts.
+   * \param[in] dimensions not used where they are of another cloud; null (the default) for new ones */
   void setSampleDimensions (std::shared_ptr<const manifold::SampleDimensions> dimensions)
   {
-    parameters_.dimension.dimensions = std::move (dimensions);
+    given_dimensions_ = std::move (dimensions);
   }
 
-  /** \brief Edges and triangles as polygons over all points of the input cloud; solids by their boundary.
-   * \param[out] output empty on failure */
-  void reconstruct (pcl::PolygonMesh& output) override;
-
-  /** \brief As above, polygons only. */
-  void reconstruct (std::vector<pcl::Vertices>& polygons) override;
-
-  /** \brief Everything: edges, triangles and tetrahedra over the points of the input cloud.
-   * \param[out] output empty on failure */
-  void reconstruct (pcl::SimplicialComplex& output);
-
   /** \brief The candidate simplices of the last reconstruct (), as published (the set T of section 5), which
-   * need not form manifolds; empty before. */
+   * need not form manifolds.
+   * \return over the points of the input cloud; empty before */
   pcl::SimplicialComplex getCandidates () const
   {
     return dimensions_ ? manifold::candidateShape (*dimensions_) : pcl::SimplicialComplex ();
   }
 
-  /** \brief How the last reconstruct () ended. */
-  manifold::Status getStatus () const { return status_; }
-
-  /** \brief The dimensions that the last reconstruct () worked on, null before. */
+  /** \brief The dimensions that the last reconstruct () worked on.
+   * \return null before, and where it failed */
   std::shared_ptr<const manifold::SampleDimensions> getSampleDimensions () const { return dimensions_; }
 
-  /** \brief The triangulation that the last reconstruct () worked on, null before. */
+  /** \brief The triangulation that the last reconstruct () worked on.
+   * \return null before, and where it failed */
   std::shared_ptr<const manifold::DelaunayComplex> getDelaunayComplex () const
   {
     return dimensions_ ? dimensions_->complex : nullptr;
   }
 
-  /** \brief Seconds and peak memory of each stage of the last reconstruct (). */
-  const std::vector<manifold::Stage>& getStages () const { return stages_; }
-
 protected:
-  using MeshConstruction<PointT>::input_;
-  using MeshConstruction<PointT>::indices_;
-  using MeshConstruction<PointT>::initCompute;
-  using MeshConstruction<PointT>::deinitCompute;
+  using manifold::ComplexReconstruction<PointT>::input_;
+  using manifold::ComplexReconstruction<PointT>::indices_;
 
-  void performReconstruction (pcl::PolygonMesh& output) override;
+  manifold::Status compute (manifold::StageLog& log, pcl::SimplicialComplex& complex) override;
 
-  void performReconstruction (std::vector<pcl::Vertices>& polygons) override;
-
-  std::string getClassName () const override { return "CoconeShape"; }
+  void forget () noexcept override { dimensions_.reset (); }
 
 private:
-  manifold::ShapeParameters parameters_;
+  double rho_ = manifold::DimensionParameters ().rho;
+  std::shared_ptr<const manifold::SampleDimensions> given_dimensions_;
   std::shared_ptr<const manifold::SampleDimensions> dimensions_;
-  std::vector<manifold::Stage> stages_;
-  manifold::Status status_ = manifold::Status::NOT_COMPUTED;
 };
 
 } // namespace pcl

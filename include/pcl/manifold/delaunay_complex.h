@@ -1,7 +1,7 @@
 #pragma once
 
-#include <pcl/manifold/sample_set.h>
 #include <pcl/manifold/export.h>
+#include <pcl/manifold/sample_set.h>
 
 #include <Eigen/Core>
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <pcl/manifold/export.h>
 #include <pcl/manifold/sample_dimensions.h>
 #include <pcl/manifold/sample_set.h>
 #include <pcl/manifold/stage_log.h>
-#include <pcl/manifold/export.h>
 #include <pcl/manifold/status.h>
 
 #include <Eigen/Core>
@@ -18,8 +18,7 @@ struct DimensionParameters
 {
   double rho = 0.3; ///< in (0, 1]
   Thinning thinning;
-  unsigned int threads = 0; ///< 0 = all cores
-  ProgressCallback progress;
+  unsigned int threads = 0;                           ///< 0 = all cores
   std::shared_ptr<const DelaunayComplex> complex;     ///< of the same points and thinning, or null
   std::shared_ptr<const SampleDimensions> dimensions; ///< likewise: taken over as they are
 };

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <pcl/manifold/delaunay_complex.h>
-#include <pcl/manifold/stage_log.h>
 #include <pcl/manifold/export.h>
+#include <pcl/manifold/stage_log.h>
 #include <pcl/manifold/status.h>
 
 #include <Eigen/Core>

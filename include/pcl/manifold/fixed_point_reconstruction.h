@@ -1,7 +1,7 @@
 #pragma once
 
 #include <pcl/PolygonMesh.h>
-#include <pcl/manifold/detail/mesh_base.h>
+#include <pcl/manifold/complex_reconstruction.h>
 #include <pcl/manifold/reconstruct_fixed_point.h>
 #include <pcl/manifold/simplicial_complex.h>
 #include <pcl/manifold/status.h>
@@ -56,111 +56,64 @@ struct FixedPointCounts
  * points. The result is the same, bit for bit, for any number of threads and, up to renumbering, for any
  * order of the points.
  *
- * The class derives from pcl::MeshConstruction for PCL's own point types with x, y and z, and from its base
- * pcl::PCLSurfaceBase, with the same functions, for all others: those need no PCL_NO_PRECOMPILE.
- *
  * \note The library is distributed under GPL-3, as CGAL's triangulations are.
  */
 template <typename PointT>
-class FixedPointReconstruction : public manifold::MeshBase<PointT>
+class FixedPointReconstruction : public manifold::ComplexReconstruction<PointT>
 {
 public:
+  /** \brief A shared pointer to an object of this class. */
   using Ptr = shared_ptr<FixedPointReconstruction<PointT>>;
+
+  /** \brief A shared pointer to a constant object of this class. */
   using ConstPtr = shared_ptr<const FixedPointReconstruction<PointT>>;
 
-  FixedPointReconstruction ()
+  /** \brief Every parameter has its default. */
+  FixedPointReconstruction () : manifold::ComplexReconstruction<PointT> ("FixedPointReconstruction")
   {
-    // The Delaunay triangulation is all the search that is needed.
-    this->check_tree_ = false;
-    parameters_.critical.ratio = 0.8;
-    parameters_.critical.votes = 3;
+    critical_.ratio = 0.8;
+    critical_.votes = 3;
   }
 
   /** \brief Which circumcentres of triangles are near the medial axis, not near the surface: those further
    * from a corner of their triangle than this times the distance of the corner's pole, the far end of its
-   * Voronoi cell.
-   * \param[in] ratio more than 0; 0.8 by default, found by measurement over many meshes and scans. 0.313 is
-   * the published constant, which the guarantee needs (with setVotes (1)); where points are further apart
-   * than it asks for it leaves gaps. From 1 on gaps and rims are closed that are none of the samples' */
-  void setCriticalRatio (double ratio) { parameters_.critical.ratio = ratio; }
+   * Voronoi cell (section 8).
+   * \param[in] ratio more than 0, else reconstruct () ends in PARAMETER_OUT_OF_RANGE; 0.8 by default, found by
+   * measurement over many meshes and scans. 0.313 is the published constant, which the guarantee needs (with
+   * setVotes (1)); where points are further apart than it asks for it leaves gaps. From 1 on gaps and rims
+   * are closed that are none of the samples' */
+  void setCriticalRatio (double ratio) { critical_.ratio = ratio; }
 
-  double getCriticalRatio () const { return parameters_.critical.ratio; }
+  /** \brief The ratio from which on a circumcentre is near the medial axis.
+   * \return see setCriticalRatio () */
+  double getCriticalRatio () const { return critical_.ratio; }
 
   /** \brief How many of its three corners have to say so before a triangle is taken for medial. In a
    * 0.143-sample all agree.
-   * \param[in] votes 1 to 3; 3 by default */
-  void setVotes (int votes) { parameters_.critical.votes = votes; }
+   * \param[in] votes 1 to 3, else reconstruct () ends in PARAMETER_OUT_OF_RANGE; 3 by default */
+  void setVotes (int votes) { critical_.votes = votes; }
 
-  int getVotes () const { return parameters_.critical.votes; }
+  /** \brief The number of corners that make a triangle medial.
+   * \return see setVotes () */
+  int getVotes () const { return critical_.votes; }
 
   /** \brief Starts the restricted Delaunay operator from a mesh and applies it until nothing changes: the
-   * fixed point is the result as it is, without any extraction. From a mesh near the surface, as that of
-   * GraphReconstruction over a few of the points, this leads to one over all of them; where the mesh is too
-   * far away to be a good start the result may have edges of more than two triangles, and holes; one that
-   * meets no Voronoi edge leads to nothing, with the status OK.
+   * fixed point is the result as it is, without any extraction, and setWatertight () has no effect. From a
+   * mesh near the surface, as that of GraphReconstruction over a few of the points, this leads to one over
+   * all of them; where the mesh is too far away to be a good start the result may have edges of more than two
+   * triangles, and holes; one that meets no Voronoi edge leads to nothing, with the status OK.
    * \param[in] mesh in the coordinates of the cloud; read when reconstruct () is called, which refuses a mesh
    * without faces, or with vertices that are not finite, as PARAMETER_OUT_OF_RANGE. Polygons of fewer than
    * three corners are left out. Null (the default) for none */
   void setInitialMesh (const pcl::PolygonMesh::ConstPtr& mesh) { initial_mesh_ = mesh; }
 
+  /** \brief The mesh from which the operator starts.
+   * \return null for none */
   pcl::PolygonMesh::ConstPtr getInitialMesh () const { return initial_mesh_; }
 
-  /** \brief Thins the cloud to a greedy subset in which no point is among the k nearest neighbours of
-   * another: see DimensionDetection::setKSearch.
-   * \param[in] k 0 = off (the default) */
-  void setKSearch (int k) { parameters_.thinning.k_search = k; }
-
-  int getKSearch () const { return parameters_.thinning.k_search; }
-
-  /** \brief Thins the cloud to a greedy subset in which no two points are nearer than a distance; before
-   * setKSearch () where both are given.
-   * \param[in] spacing in the unit of the cloud; 0 = off (the default) */
-  void setSpacing (double spacing) { parameters_.thinning.spacing = spacing; }
-
-  double getSpacing () const { return parameters_.thinning.spacing; }
-
-  /** \brief Closes every surface: what the samples leave open is spanned by Delaunay triangles. Without
-   * effect on what an initial mesh leads to.
-   * \param[in] watertight false by default */
-  void setWatertight (bool watertight) { parameters_.watertight = watertight; }
-
-  bool getWatertight () const { return parameters_.watertight; }
-
-  /** \brief Triangulation of the same cloud, indices and thinning to be used instead of a new one: the one of
-   * another class of the module. Handed in for another cloud it is not used. */
-  void setDelaunayComplex (std::shared_ptr<const manifold::DelaunayComplex> complex)
-  {
-    parameters_.complex = std::move (complex);
-  }
-
-  /** \param[in] threads 0 = all cores (the default) */
-  void setNumberOfThreads (unsigned int threads) { parameters_.threads = threads; }
-
-  unsigned int getNumberOfThreads () const { return parameters_.threads; }
-
-  void setProgressCallback (manifold::ProgressCallback callback)
-  {
-    parameters_.progress = std::move (callback);
-  }
-
-  /** \brief The surface as polygons over all points of the input cloud.
-   * \param[out] output empty on failure */
-  void reconstruct (pcl::PolygonMesh& output) override;
-
-  /** \brief As above, polygons only. */
-  void reconstruct (std::vector<pcl::Vertices>& polygons) override;
-
-  /** \brief As above, as a complex; it has triangles only.
-   * \param[out] output empty on failure */
-  void reconstruct (pcl::SimplicialComplex& output);
-
-  /** \brief How the last reconstruct () ended. */
-  manifold::Status getStatus () const { return status_; }
-
-  // What the last reconstruct () found; nothing unless its status was OK.
-
-  /** \brief The manifold fixed-point complex, which need not be a manifold, before any extraction; with an
-   * initial mesh the fixed point. The triangles are not oriented. */
+  /** \brief The manifold fixed-point complex of the last reconstruct () (section 8), which need not be a
+   * manifold, before any extraction; with an initial mesh the fixed point.
+   * \return triangles over the points of the input cloud, not oriented; empty unless the status is OK */
   pcl::SimplicialComplex getComplex () const
   {
     return result_.complex ? manifold::facetShape (*result_.complex, result_.found.facets)
@@ -168,42 +121,33 @@ public:
   }
 
   /** \brief How often the operator was applied to the initial mesh, and to what came of it, before nothing
-   * changed, at least 1; 0 without one. */
+   * changed.
+   * \return at least 1; 0 without an initial mesh and unless the status is OK */
   int getIterations () const { return result_.iterations; }
 
-  /** \brief Without an initial mesh, the numbers of triangles of each kind; zeros with one. */
+  /** \brief The numbers of triangles of each kind.
+   * \return zeros with an initial mesh and unless the status is OK */
   manifold::FixedPointCounts getCounts () const
   {
     return {result_.found.anchored, result_.found.medial_anchored, result_.found.chained};
   }
 
-  /** \brief The triangulation that was worked on, null before. */
+  /** \brief The triangulation that the last reconstruct () worked on.
+   * \return null unless the status is OK */
   std::shared_ptr<const manifold::DelaunayComplex> getDelaunayComplex () const { return result_.complex; }
 
-  /** \brief Seconds and peak memory of each stage of the last reconstruct (). */
-  const std::vector<manifold::Stage>& getStages () const { return stages_; }
-
 protected:
-  using manifold::MeshBase<PointT>::input_;
-  using manifold::MeshBase<PointT>::indices_;
-  using manifold::MeshBase<PointT>::initCompute;
-  using manifold::MeshBase<PointT>::deinitCompute;
+  using manifold::ComplexReconstruction<PointT>::input_;
+  using manifold::ComplexReconstruction<PointT>::indices_;
 
-  void performReconstruction (pcl::PolygonMesh& output) override;
+  manifold::Status compute (manifold::StageLog& log, pcl::SimplicialComplex& complex) override;
 
-  void performReconstruction (std::vector<pcl::Vertices>& polygons) override;
-
-  std::string getClassName () const override { return "FixedPointReconstruction"; }
+  void forget () noexcept override { result_ = manifold::FixedPointResult (); }
 
 private:
-  // The stages, from the valid input to result_ and the surface.
-  manifold::Status compute (manifold::StageLog& log, pcl::SimplicialComplex& surface);
-
-  manifold::FixedPointParameters parameters_;
+  manifold::CriticalPointParameters critical_;
   pcl::PolygonMesh::ConstPtr initial_mesh_;
   manifold::FixedPointResult result_;
-  std::vector<manifold::Stage> stages_;
-  manifold::Status status_ = manifold::Status::NOT_COMPUTED;
 };
 
 } // namespace pcl

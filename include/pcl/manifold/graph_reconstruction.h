@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/manifold/cloud_graph.h>
+#include <pcl/manifold/computation.h>
 #include <pcl/manifold/detail/mesh_base.h>
 #include <pcl/manifold/graph_faces.h>
 #include <pcl/manifold/graph_voronoi.h>
@@ -48,7 +49,7 @@ namespace pcl {
  * pcl::PCLSurfaceBase, with the same functions, for all others: those need no PCL_NO_PRECOMPILE.
  */
 template <typename PointT>
-class GraphReconstruction : public manifold::MeshBase<PointT>
+class GraphReconstruction : public manifold::Computation<manifold::MeshBase<PointT>>
 {
 public:
   using Ptr = shared_ptr<GraphReconstruction<PointT>>;
@@ -127,18 +128,6 @@ public:
 
   std::uint64_t getSeed () const { return parameters_.seed; }
 
-  /** \param[in] threads 0 = all cores (the default) */
-  void setNumberOfThreads (unsigned int threads) { parameters_.threads = threads; }
-
-  unsigned int getNumberOfThreads () const { return parameters_.threads; }
-
-  /** \brief Called with the fraction that is done, between stages and several times during the search for
-   * neighbours, by the thread that called reconstruct (); where it answers false reconstruct () ends. */
-  void setProgressCallback (manifold::ProgressCallback callback)
-  {
-    parameters_.progress = std::move (callback);
-  }
-
   /** \brief A graph to be used instead of that of the nearest neighbours; no coordinates are needed then.
    * Edges count both ways, once each, and self loops are left out; an index out of range is refused with
    * PARAMETER_OUT_OF_RANGE.
@@ -172,9 +161,6 @@ public:
   /** \brief As above, polygons only. */
   void reconstruct (std::vector<pcl::Vertices>& polygons) override;
 
-  /** \brief How the last reconstruct () ended. */
-  manifold::Status getStatus () const { return status_; }
-
   // What the stages of the last reconstruct () gave. All of it is there for the status OK, all but faces for
   // DIMENSION_TOO_LOW, and nothing otherwise.
 
@@ -202,23 +188,22 @@ public:
   /** \brief Per vertex of the neighbourhood graph its index in the input cloud. */
   const pcl::Indices& getVertices () const { return cloud_graph_.input_index; }
 
-  /** \brief Seconds and peak memory of each stage of the last reconstruct (). */
-  const std::vector<manifold::Stage>& getStages () const { return stages_; }
-
 protected:
   using manifold::MeshBase<PointT>::input_;
   using manifold::MeshBase<PointT>::indices_;
   using manifold::MeshBase<PointT>::tree_;
-  using manifold::MeshBase<PointT>::initCompute;
-  using manifold::MeshBase<PointT>::deinitCompute;
 
-  void performReconstruction (pcl::PolygonMesh& output) override;
+  void performReconstruction (pcl::PolygonMesh& output) override { reconstruct (output); }
 
-  void performReconstruction (std::vector<pcl::Vertices>& polygons) override;
+  void performReconstruction (std::vector<pcl::Vertices>& polygons) override { reconstruct (polygons); }
 
   std::string getClassName () const override { return "GraphReconstruction"; }
 
 private:
+  // Reconstructs, and then runs convert () as a part of that: it answers with a status, too.
+  template <typename Convert>
+  bool reconstructAnd (const Convert& convert);
+
   // The stages, from the input to result_.
   manifold::Status compute (manifold::StageLog& log);
 
@@ -233,8 +218,6 @@ private:
   PointRepresentationConstPtr representation_;
   manifold::CloudGraph cloud_graph_;
   manifold::GraphMesh result_;
-  std::vector<manifold::Stage> stages_;
-  manifold::Status status_ = manifold::Status::NOT_COMPUTED;
 };
 
 } // namespace pcl

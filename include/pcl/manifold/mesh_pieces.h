@@ -1,8 +1,8 @@
 #pragma once
 
 #include <pcl/PolygonMesh.h>
-#include <pcl/manifold/fixed_point_complex.h>
 #include <pcl/manifold/export.h>
+#include <pcl/manifold/fixed_point_complex.h>
 #include <pcl/manifold/status.h>
 
 namespace pcl {

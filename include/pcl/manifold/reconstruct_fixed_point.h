@@ -14,8 +14,7 @@ struct FixedPointParameters
   Thinning thinning;
   CriticalPointParameters critical;
   bool watertight = false;
-  unsigned int threads = 0; ///< 0 = all cores
-  ProgressCallback progress;
+  unsigned int threads = 0;                       ///< 0 = all cores
   std::shared_ptr<const DelaunayComplex> complex; ///< of the same points and thinning, or null
 
   /// Where the restricted Delaunay operator starts, in the coordinates of the cloud; null for the manifold

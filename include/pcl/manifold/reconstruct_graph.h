@@ -1,9 +1,9 @@
 #pragma once
 
 #include <pcl/Vertices.h>
-#include <pcl/manifold/stage_log.h>
 #include <pcl/manifold/export.h>
 #include <pcl/manifold/graph_faces.h>
+#include <pcl/manifold/stage_log.h>
 
 #include <Eigen/Core>
 
@@ -27,7 +27,6 @@ struct GraphParameters
   bool triangulate = true;
   std::uint64_t seed = 1;
   unsigned int threads = 0;
-  ProgressCallback progress;
 };
 
 /** \brief What GraphReconstruction finds. Vertices are those of the neighbourhood graph. */

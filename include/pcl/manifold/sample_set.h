@@ -20,8 +20,8 @@ constexpr double FLOAT_RESOLUTION = 5.9604644775390625e-08; // 2^-24
  * Giesen, Goswami and Zhao. */
 struct Thinning
 {
-  int k_search = 0;     ///< no two samples are among each other's k nearest neighbours; 0 = off
-  double spacing = 0.0; ///< no two samples are nearer than this, in the unit of the cloud; 0 = off
+  int neighbors = 0;     ///< no two samples are among each other's k nearest neighbours; 0 = off
+  double distance = 0.0; ///< no two samples are nearer than this, in the unit of the cloud; 0 = off
 };
 
 /** \brief The distinct finite points of a cloud that a reconstruction works on, in an order that depends on

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <pcl/console/print.h>
 #include <pcl/impl/pcl_base.hpp> // for point types that PCL does not instantiate itself
 #include <pcl/manifold/dimension_detection.h>
+#include <pcl/manifold/impl/cloud_layout.hpp>
 #include <pcl/manifold/impl/cloud_points.hpp>
-#include <pcl/manifold/impl/guarded_input.hpp>
 
 #include <limits>
 
@@ -12,28 +11,42 @@ template <typename PointT>
 void
 pcl::DimensionDetection<PointT>::compute (pcl::PointCloud<pcl::Label>& output)
 {
-  output.clear ();
+  output = pcl::PointCloud<pcl::Label> ();
   result_.reset ();
-  stages_.clear ();
-  manifold::StageLog log (parameters_.progress);
-  status_ = manifold::onGuardedInput<PointT> (
-    input_, indices_, [this] { return initCompute (); }, [this] { return deinitCompute (); },
-    [&] {
-      output.header = input_->header;
-      return manifold::detectDimensions (manifold::cloudPoints (*input_, *indices_), *indices_,
-                                         manifold::FLOAT_RESOLUTION, parameters_, log, result_);
+  const bool done = this->run ("DimensionDetection::compute", [&] (manifold::StageLog& log) {
+    return this->withInput ([&] {
+      const manifold::Status status = detect (log);
+      if (status == manifold::Status::OK)
+        giveLabels (output);
+      return status;
     });
-  stages_ = log.stages ();
-  if (status_ != manifold::Status::OK) {
-    PCL_ERROR ("[pcl::DimensionDetection::compute] %s\n", manifold::toString (status_));
-    return;
+  });
+  if (!done) {
+    output = pcl::PointCloud<pcl::Label> ();
+    result_.reset ();
   }
-  for (const std::uint8_t dimension :
-       perPoint<std::uint8_t> (0, [this] (std::int32_t sample) { return result_->dimension[sample]; })) {
-    pcl::Label label;
-    label.label = dimension;
-    output.push_back (label);
-  }
+}
+
+template <typename PointT>
+pcl::manifold::Status
+pcl::DimensionDetection<PointT>::detect (manifold::StageLog& log)
+{
+  manifold::DimensionParameters parameters;
+  this->setShared (parameters);
+  parameters.rho = rho_;
+  return manifold::detectDimensions (manifold::cloudPoints (*input_, *indices_), *indices_,
+                                     manifold::FLOAT_RESOLUTION, parameters, log, result_);
+}
+
+template <typename PointT>
+void
+pcl::DimensionDetection<PointT>::giveLabels (pcl::PointCloud<pcl::Label>& output) const
+{
+  const std::vector<std::int32_t>& sample_of = result_->complex->samples->sample_of;
+  output.resize (sample_of.size ());
+  for (std::size_t i = 0; i < sample_of.size (); ++i)
+    output[i].label = sample_of[i] < 0 ? 0 : result_->dimension[sample_of[i]];
+  manifold::copyLayout (*input_, *indices_, output);
 }
 
 template <typename PointT>

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <pcl/console/print.h>
 #include <pcl/conversions.h>
 #include <pcl/manifold/graph_reconstruction.h>
-#include <pcl/manifold/impl/guarded_input.hpp>
 #include <pcl/manifold/impl/represented_points.hpp>
 #include <pcl/manifold/sample_set.h>
 
@@ -35,7 +33,7 @@ pcl::GraphReconstruction<PointT>::makeGraph (manifold::StageLog& log)
   Eigen::MatrixXd points = manifold::pointsOf (*input_, *indices_, representation_.get ());
   if (given_graph_) {
     const manifold::Status status =
-      manifold::takeGraph (*given_graph_, *indices_, parameters_.threads, log, cloud_graph_);
+      manifold::takeGraph (*given_graph_, *indices_, this->getNumberOfThreads (), log, cloud_graph_);
     if (status == manifold::Status::OK)
       cloud_graph_.points = std::move (points);
     return status;
@@ -43,7 +41,7 @@ pcl::GraphReconstruction<PointT>::makeGraph (manifold::StageLog& log)
   if (!representation_ && !manifold::HasCoordinates<PointT>::value)
     return manifold::Status::PARAMETER_OUT_OF_RANGE;
   return manifold::makeCloudGraph (std::move (points), *indices_, manifold::FLOAT_RESOLUTION,
-                                   parameters_.k_search, givenSearch (), parameters_.threads, log,
+                                   parameters_.k_search, givenSearch (), this->getNumberOfThreads (), log,
                                    cloud_graph_);
 }
 
@@ -51,20 +49,35 @@ template <typename PointT>
 pcl::manifold::Status
 pcl::GraphReconstruction<PointT>::compute (manifold::StageLog& log)
 {
-  cloud_graph_ = manifold::CloudGraph ();
-  result_ = manifold::GraphMesh ();
   manifold::Status status;
   if (!input_ && given_graph_)
-    status = manifold::takeGraph (*given_graph_, {}, parameters_.threads, log, cloud_graph_);
+    status = manifold::takeGraph (*given_graph_, {}, this->getNumberOfThreads (), log, cloud_graph_);
   else
-    status = manifold::onGuardedInput<PointT> (
-      input_, indices_, [this] { return initCompute (); }, [this] { return deinitCompute (); },
-      [this, &log] { return makeGraph (log); });
-  if (status == manifold::Status::OK)
-    status = manifold::reconstructGraph (cloud_graph_.graph, cloud_graph_.points, parameters_, log, result_);
-  if (status != manifold::Status::OK && status != manifold::Status::DIMENSION_TOO_LOW)
+    status = this->withInput ([this, &log] { return makeGraph (log); });
+  if (status != manifold::Status::OK)
+    return status;
+  manifold::GraphParameters parameters = parameters_;
+  parameters.threads = this->getNumberOfThreads ();
+  return manifold::reconstructGraph (cloud_graph_.graph, cloud_graph_.points, parameters, log, result_);
+}
+
+template <typename PointT>
+template <typename Convert>
+bool
+pcl::GraphReconstruction<PointT>::reconstructAnd (const Convert& convert)
+{
+  const auto forget = [this] {
     cloud_graph_ = manifold::CloudGraph ();
-  return status;
+    result_ = manifold::GraphMesh ();
+  };
+  forget ();
+  const bool done = this->run ("GraphReconstruction::reconstruct", [&] (manifold::StageLog& log) {
+    const manifold::Status status = compute (log);
+    return status == manifold::Status::OK ? convert () : status;
+  });
+  if (!done && this->getStatus () != manifold::Status::DIMENSION_TOO_LOW)
+    forget ();
+  return done;
 }
 
 // The base class reads the input cloud before it asks whether there is one, so its functions are not called.
@@ -73,40 +86,30 @@ template <typename PointT>
 void
 pcl::GraphReconstruction<PointT>::reconstruct (pcl::PolygonMesh& output)
 {
-  performReconstruction (output);
+  output = pcl::PolygonMesh ();
+  const bool done = reconstructAnd ([&] {
+    output.polygons = manifold::polygonsOf (result_, cloud_graph_.input_index);
+    if (input_) {
+      pcl::toPCLPointCloud2 (*input_, output.cloud);
+      output.header = input_->header;
+    }
+    return manifold::Status::OK;
+  });
+  if (!done)
+    output = pcl::PolygonMesh ();
 }
 
 template <typename PointT>
 void
 pcl::GraphReconstruction<PointT>::reconstruct (std::vector<pcl::Vertices>& polygons)
 {
-  performReconstruction (polygons);
-}
-
-template <typename PointT>
-void
-pcl::GraphReconstruction<PointT>::performReconstruction (pcl::PolygonMesh& output)
-{
-  output = pcl::PolygonMesh ();
-  performReconstruction (output.polygons);
-  if (status_ != manifold::Status::OK || !input_)
-    return;
-  pcl::toPCLPointCloud2 (*input_, output.cloud);
-  output.header = input_->header;
-}
-
-template <typename PointT>
-void
-pcl::GraphReconstruction<PointT>::performReconstruction (std::vector<pcl::Vertices>& polygons)
-{
   polygons.clear ();
-  manifold::StageLog log (parameters_.progress);
-  status_ = compute (log);
-  stages_ = log.stages ();
-  if (status_ == manifold::Status::OK)
+  const bool done = reconstructAnd ([&] {
     polygons = manifold::polygonsOf (result_, cloud_graph_.input_index);
-  else
-    PCL_ERROR ("[pcl::GraphReconstruction::reconstruct] %s\n", manifold::toString (status_));
+    return manifold::Status::OK;
+  });
+  if (!done)
+    polygons.clear ();
 }
 
 template <typename PointT>
