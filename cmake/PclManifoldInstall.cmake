@@ -55,13 +55,14 @@ endif ()
 # A header of the Delaunay family would only promise what the core alone cannot link.
 set (headers_of_delaunay "")
 if (NOT TARGET pcl_manifold_delaunay)
-  set (names cocone_shape delaunay_complex detect_dimensions dimension_detection fixed_point_complex
-             fixed_point_reconstruction mesh_pieces reconstruct_fixed_point reconstruct_shape sample_dimensions)
+  set (names cocone_shape complex_reconstruction delaunay_complex delaunay_computation detect_dimensions
+             dimension_detection fixed_point_complex fixed_point_reconstruction mesh_pieces reconstruct_fixed_point
+             reconstruct_shape sample_dimensions)
   list (JOIN names "|" names)
   set (headers_of_delaunay REGEX "/(${names})\\.(h|hpp)$" EXCLUDE)
 endif ()
 install (DIRECTORY "${PROJECT_SOURCE_DIR}/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT dev
-  ${headers_of_delaunay})
+  PATTERN "*.dox" EXCLUDE ${headers_of_delaunay})
 
 list (JOIN PCL_MANIFOLD_PCL_COMPONENTS " " PCL_MANIFOLD_PCL_COMPONENTS_SPACED)
 configure_package_config_file (

@@ -15,7 +15,7 @@ set (CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set (CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY "=")
 set (CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
 
-set (CPACK_DEBIAN_CORE_PACKAGE_NAME "libpcl-manifold-core0")
+set (CPACK_DEBIAN_CORE_PACKAGE_NAME "libpcl-manifold-core${PCL_MANIFOLD_SOVERSION}")
 set (CPACK_DEBIAN_CORE_PACKAGE_SECTION "libs")
 set (CPACK_COMPONENT_CORE_DESCRIPTION "Library without a global Delaunay triangulation (BSD-3).")
 
@@ -28,7 +28,7 @@ set (CPACK_COMPONENT_DEV_DESCRIPTION "Headers, CMake package and pkg-config file
 set (CPACK_COMPONENTS_ALL core dev)
 if (TARGET pcl_manifold_delaunay)
   list (APPEND CPACK_COMPONENTS_ALL delaunay)
-  set (CPACK_DEBIAN_DELAUNAY_PACKAGE_NAME "libpcl-manifold-delaunay0")
+  set (CPACK_DEBIAN_DELAUNAY_PACKAGE_NAME "libpcl-manifold-delaunay${PCL_MANIFOLD_SOVERSION}")
   set (CPACK_DEBIAN_DELAUNAY_PACKAGE_SECTION "libs")
   set (CPACK_COMPONENT_DELAUNAY_DEPENDS core)
   set (CPACK_COMPONENT_DELAUNAY_DESCRIPTION "Library on a global Delaunay triangulation (links CGAL: GPL-3).")

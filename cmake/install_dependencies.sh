@@ -11,7 +11,7 @@ set -euo pipefail
 build=(g++ cmake ninja-build libpcl-dev libcgal-dev libtbb-dev libeigen3-dev libboost-dev
   libboost-program-options-dev libjsoncpp-dev libvtk9-dev)
 samples=(xvfb xauth libgl1-mesa-dri libcgal-demo)
-test=(libgtest-dev clang-format-14 ccache pkg-config dpkg-dev file git xvfb xauth libgl1-mesa-dri)
+test=(libgtest-dev clang-format-14 ccache doxygen pkg-config dpkg-dev file git xvfb xauth libgl1-mesa-dri)
 
 fail () { echo "error: $*" >&2; exit 1; }
 

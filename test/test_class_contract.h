@@ -3,9 +3,11 @@
 #include "test_class_clouds.h"
 
 #include <gtest/gtest.h>
+#include <pcl/search/kdtree.h>
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 /** What every public class keeps to. A `Run` gives
@@ -129,6 +131,90 @@ checkProgress ()
     EXPECT_NO_THROW (EXPECT_TRUE (run ()));
     EXPECT_NE (run.object.getStatus (), Status::OK);
   }
+}
+
+/** A status is that of the computation that ended last. */
+template <typename Run>
+void
+checkStatusDuringRun ()
+{
+  Run run;
+  run.object.setInputCloud (cloudOf (torusAndKnot ()));
+  EXPECT_FALSE (run ());
+  ASSERT_EQ (run.object.getStatus (), Status::OK);
+  run.object.setProgressCallback ([&run] (float) {
+    EXPECT_EQ (run.object.getStatus (), Status::NOT_COMPUTED);
+    EXPECT_TRUE (run.object.getStages ().empty ());
+    return true;
+  });
+  EXPECT_FALSE (run ());
+  EXPECT_EQ (run.object.getStatus (), Status::OK);
+}
+
+/** 40 x 30 points of a sheet, a row after the other, seen from a place of its own. */
+inline Cloud::Ptr
+organizedCloud ()
+{
+  constexpr int WIDTH = 40;
+  constexpr int HEIGHT = 30;
+  std::vector<Eigen::Vector3f> points;
+  for (int y = 0; y < HEIGHT; ++y)
+    for (int x = 0; x < WIDTH; ++x)
+      points.emplace_back (static_cast<float> (x), static_cast<float> (y),
+                           0.05f * static_cast<float> (x * x % 7 + y));
+  const Cloud::Ptr cloud = cloudOf (points);
+  cloud->width = WIDTH;
+  cloud->height = HEIGHT;
+  cloud->header.frame_id = "camera";
+  cloud->header.stamp = 1234567;
+  cloud->header.seq = 5;
+  cloud->sensor_origin_ = Eigen::Vector4f (1.0f, 2.0f, 3.0f, 0.0f);
+  cloud->sensor_orientation_ = Eigen::Quaternionf (0.5f, 0.5f, 0.5f, 0.5f);
+  return cloud;
+}
+
+/** The cloud of a mesh is that of the input, in its layout. */
+template <typename Run>
+void
+checkLayoutOfMesh ()
+{
+  Run run;
+  const Cloud::Ptr cloud = organizedCloud ();
+  (*cloud)[7].x = NOT_A_NUMBER;
+  cloud->is_dense = false;
+  run.object.setInputCloud (cloud);
+  run ();
+  ASSERT_EQ (run.object.getStatus (), Status::OK);
+  EXPECT_EQ (run.mesh.cloud.width, cloud->width);
+  EXPECT_EQ (run.mesh.cloud.height, cloud->height);
+  EXPECT_FALSE (run.mesh.cloud.is_dense);
+  EXPECT_EQ (run.mesh.cloud.header.frame_id, "camera");
+  EXPECT_EQ (run.mesh.cloud.header.stamp, 1234567U);
+  EXPECT_EQ (run.mesh.header.frame_id, "camera");
+}
+
+/** What PCL prints to standard error while a body runs. */
+template <typename Body>
+std::string
+printedBy (const Body& body)
+{
+  testing::internal::CaptureStderr ();
+  body ();
+  return testing::internal::GetCapturedStderr ();
+}
+
+/** A search that no class needs is named once. */
+template <typename Run>
+void
+checkNeedlessSearch ()
+{
+  Run run;
+  run.object.setInputCloud (cloudOf (torusAndKnot ()));
+  EXPECT_EQ (printedBy ([&] { run (); }), "");
+  run.object.setSearchMethod (std::make_shared<pcl::search::KdTree<pcl::PointXYZ>> ());
+  EXPECT_NE (printedBy ([&] { run (); }).find ("setSearchMethod"), std::string::npos);
+  EXPECT_EQ (run.object.getStatus (), Status::OK);
+  EXPECT_EQ (printedBy ([&] { run (); }), "");
 }
 
 /** No crash, and an output that is empty exactly when the status is not OK. */

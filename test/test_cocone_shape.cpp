@@ -94,6 +94,17 @@ TEST (CoconeShape, CanBeCancelledAtEveryStage)
 {
   checkProgress<Reconstruction> ();
   checkProgress<MeshReconstruction> ();
+  checkStatusDuringRun<MeshReconstruction> ();
+}
+
+TEST (CoconeShape, KeepsTheLayoutOfAnOrganizedCloud)
+{
+  checkLayoutOfMesh<MeshReconstruction> ();
+}
+
+TEST (CoconeShape, NamesASearchThatIsNotUsedOnce)
+{
+  checkNeedlessSearch<MeshReconstruction> ();
 }
 
 TEST (CoconeShape, SurvivesDegenerateClouds)

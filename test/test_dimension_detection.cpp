@@ -66,6 +66,7 @@ TEST (DimensionDetection, RefusesParametersOutOfRange)
 TEST (DimensionDetection, CanBeCancelledAtEveryStage)
 {
   checkProgress<Detection> ();
+  checkStatusDuringRun<Detection> ();
 }
 
 TEST (DimensionDetection, SurvivesDegenerateClouds)
@@ -123,6 +124,57 @@ TEST (DimensionDetection, TakesOrganizedClouds)
   std::vector<std::uint32_t> expected = detect (points).values ();
   expected.resize (cloud->size (), 0);
   EXPECT_EQ (run.values (), expected);
+}
+
+TEST (DimensionDetection, KeepsTheLayoutOfAnOrganizedCloud)
+{
+  const Cloud::Ptr cloud = organizedCloud ();
+  (*cloud)[7].x = NOT_A_NUMBER;
+  cloud->is_dense = false;
+  const auto all = std::make_shared<pcl::Indices> (cloud->size ());
+  std::iota (all->begin (), all->end (), 0);
+  for (const bool with_indices : {false, true}) {
+    Detection run;
+    run.object.setInputCloud (cloud);
+    if (with_indices)
+      run.object.setIndices (all);
+    EXPECT_FALSE (run ());
+    EXPECT_EQ (run.labels.width, 40U);
+    EXPECT_EQ (run.labels.height, 30U);
+    EXPECT_TRUE (run.labels.is_dense); // every point has a label
+    EXPECT_EQ (run.labels.header.frame_id, "camera");
+    EXPECT_EQ (run.labels.header.seq, 5U);
+    EXPECT_EQ (run.labels.sensor_origin_, cloud->sensor_origin_);
+    EXPECT_EQ (run.labels.sensor_orientation_.coeffs (), cloud->sensor_orientation_.coeffs ());
+    EXPECT_EQ (run.labels (7, 0).label, 0U);
+    EXPECT_NE (run.labels (8, 0).label, 0U);
+  }
+}
+
+TEST (DimensionDetection, LabelsOfSomePointsAreInALine)
+{
+  const Cloud::Ptr cloud = organizedCloud ();
+  pcl::Indices fewer (cloud->size () - 1);
+  std::iota (fewer.begin (), fewer.end (), 0);
+  pcl::Indices reversed (cloud->size ());
+  std::iota (reversed.rbegin (), reversed.rend (), 0);
+  for (const pcl::Indices& indices : {fewer, reversed}) {
+    Detection run;
+    run.object.setInputCloud (cloud);
+    run.object.setIndices (std::make_shared<pcl::Indices> (indices));
+    EXPECT_FALSE (run ());
+    EXPECT_EQ (run.labels.width, indices.size ());
+    EXPECT_EQ (run.labels.height, 1U);
+    EXPECT_EQ (run.labels.header.frame_id, "camera");
+    EXPECT_EQ (run.labels.sensor_origin_, cloud->sensor_origin_);
+  }
+  // A cloud that contradicts itself is no grid.
+  cloud->width = 7;
+  Detection run;
+  run.object.setInputCloud (cloud);
+  EXPECT_FALSE (run ());
+  EXPECT_EQ (run.labels.width, cloud->size ());
+  EXPECT_EQ (run.labels.height, 1U);
 }
 
 TEST (DimensionDetection, WorksOnTheIndicesOnly)

@@ -27,6 +27,17 @@ TEST (FixedPointReconstruction, CanBeCancelledAtEveryStage)
   checkProgress<Reconstruction> ();
   checkProgress<MeshReconstruction> ();
   checkProgress<InitialMeshReconstruction> ();
+  checkStatusDuringRun<MeshReconstruction> ();
+}
+
+TEST (FixedPointReconstruction, KeepsTheLayoutOfAnOrganizedCloud)
+{
+  checkLayoutOfMesh<MeshReconstruction> ();
+}
+
+TEST (FixedPointReconstruction, NamesASearchThatIsNotUsedOnce)
+{
+  checkNeedlessSearch<MeshReconstruction> ();
 }
 
 TEST (FixedPointReconstruction, RefusesParametersOutOfRange)

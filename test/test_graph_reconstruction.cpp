@@ -25,6 +25,12 @@ TEST (GraphReconstruction, CanBeCancelledAtEveryStage)
 {
   checkProgress<Reconstruction> ();
   checkProgress<MeshReconstruction> ();
+  checkStatusDuringRun<MeshReconstruction> ();
+}
+
+TEST (GraphReconstruction, KeepsTheLayoutOfAnOrganizedCloud)
+{
+  checkLayoutOfMesh<MeshReconstruction> ();
 }
 
 TEST (GraphReconstruction, HasTheDefaultsOfThePaper)

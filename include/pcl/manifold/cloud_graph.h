@@ -18,11 +18,12 @@ namespace manifold {
 
 /** \brief The neighbourhood graph of a cloud. Its vertices are the distinct finite points, in an order that
  * depends on their coordinates only, so that nothing computed from the graph depends on the order of the
- * cloud. */
+ * cloud.
+ * \ingroup manifold */
 struct CloudGraph
 {
-  NeighborhoodGraph graph;
-  Eigen::MatrixXd points; ///< per vertex its coordinates, d x n, shifted and scaled; or without columns
+  NeighborhoodGraph graph; ///< proper
+  Eigen::MatrixXd points;  ///< per vertex its coordinates, d x n, shifted and scaled; or without columns
 
   /// Per vertex the index of its point in the user's cloud: the first of its exact duplicates.
   pcl::Indices input_index;
@@ -33,7 +34,8 @@ struct CloudGraph
   std::size_t duplicates = 0; ///< points merged with an equal one
 };
 
-/** \brief A search of the user's own, as functions. Neither is called by two threads at a time. */
+/** \brief A search of the user's own, as functions. Neither is called by two threads at a time.
+ * \ingroup manifold */
 struct NeighborSearch
 {
   /// Told once which points of the cloud will be asked for, and are wanted as answers.
@@ -54,7 +56,8 @@ struct NeighborSearch
  * \param[in,out] log of the stages "points" and "neighbourhood graph"
  * \param[out] result empty unless the answer is Status::OK
  * \return as makeSampleSet, PARAMETER_OUT_OF_RANGE for k < 1, and TOO_FEW_POINTS for fewer than three
- * distinct points. Does not throw. */
+ * distinct points. Does not throw.
+ * \ingroup manifold */
 PCL_MANIFOLD_CORE_EXPORTS Status makeCloudGraph (Eigen::MatrixXd points, const pcl::Indices& indices,
                                                  double resolution, int k, const NeighborSearch& search,
                                                  unsigned int threads, StageLog& log,
@@ -67,7 +70,8 @@ PCL_MANIFOLD_CORE_EXPORTS Status makeCloudGraph (Eigen::MatrixXd points, const p
  * \param[in] threads, log as above, of the stage "neighbourhood graph"
  * \param[out] result without coordinates; empty unless the answer is Status::OK
  * \return as symmetrize (), PARAMETER_OUT_OF_RANGE if there are indices and not as many as vertices, and
- * TOO_FEW_POINTS for fewer than three vertices. Does not throw. */
+ * TOO_FEW_POINTS for fewer than three vertices. Does not throw.
+ * \ingroup manifold */
 PCL_MANIFOLD_CORE_EXPORTS Status takeGraph (const NeighborhoodGraph& given, const pcl::Indices& indices,
                                             unsigned int threads, StageLog& log, CloudGraph& result) noexcept;
 

@@ -24,11 +24,14 @@ namespace pcl {
  * vertex-manifold and oriented consistently where that is possible; solids of tetrahedra with a manifold
  * boundary.
  *
- * On failure the output is empty and getStatus () says why. Time and memory are those of a 3D Delaunay
- * triangulation of the samples. The result is the same, bit for bit, for any number of threads.
+ * On failure the output is empty and getStatus () says why: NO_INPUT, DIMENSION_TOO_LOW where all points are
+ * equal, PARAMETER_OUT_OF_RANGE, INPUT_TOO_COARSE, INPUT_OUT_OF_RANGE, CANCELLED, OUT_OF_MEMORY,
+ * INTERNAL_ERROR. Time and memory are those of a 3D Delaunay triangulation of the samples, O (n) on surfaces
+ * met in practice and O (n^2) at worst. The result is the same, bit for bit, for any number of threads and,
+ * up to renumbering, for any order of the points.
  *
  * \note The library is distributed under GPL-3, as CGAL's triangulations are.
- */
+ * \ingroup manifold */
 template <typename PointT>
 class CoconeShape : public manifold::ComplexReconstruction<PointT>
 {

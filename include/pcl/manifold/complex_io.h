@@ -32,7 +32,8 @@ namespace manifold {
  * the extension, that the folder exists and can be written to, and that the file, if there, is a regular one.
  * \param[in] file the file's name
  * \param[out] error one line, without the file's name, when the answer is no
- * \return true if saveComplex () has a chance */
+ * \return true if saveComplex () has a chance
+ * \ingroup manifold */
 PCL_MANIFOLD_CORE_EXPORTS bool canSaveComplex (const std::string& file, std::string& error);
 
 /** \brief Write a complex and its cloud. An existing file is replaced once the new one is complete, and stays
@@ -42,7 +43,8 @@ PCL_MANIFOLD_CORE_EXPORTS bool canSaveComplex (const std::string& file, std::str
  * \param[in] complex must be valid for the cloud, see isValid ()
  * \param[out] error one line, without the file's name, on failure
  * \param[in] ascii write text where the format has binary numbers otherwise (default: binary)
- * \return false on failure: unknown extension, indices out of range, a full disk, ... */
+ * \return false on failure: unknown extension, indices out of range, a full disk, ...
+ * \ingroup manifold */
 PCL_MANIFOLD_CORE_EXPORTS bool saveComplex (const std::string& file, const pcl::PCLPointCloud2& cloud,
                                             const SimplicialComplex& complex, std::string& error,
                                             bool ascii = false);
@@ -50,8 +52,12 @@ PCL_MANIFOLD_CORE_EXPORTS bool saveComplex (const std::string& file, const pcl::
 /** \brief Write a mesh of polygons of any sizes, as they are: polygons of two vertices as edges, larger ones
  * as faces of PLY and OBJ and as cells of VTK's formats. Otherwise as saveComplex (); loadComplex () reads
  * the file with larger polygons cut into triangles.
+ * \param[in] file the extension says which format
  * \param[in] mesh its polygons must have two vertices or more, all of them points of its cloud
- * \return false on failure, a polygon with too few or wrong vertices among others */
+ * \param[out] error one line, without the file's name, on failure
+ * \param[in] ascii write text where the format has binary numbers otherwise (default: binary)
+ * \return false on failure, a polygon with too few or wrong vertices among others
+ * \ingroup manifold */
 PCL_MANIFOLD_CORE_EXPORTS bool savePolygonMesh (const std::string& file, const pcl::PolygonMesh& mesh,
                                                 std::string& error, bool ascii = false);
 
@@ -72,7 +78,8 @@ PCL_MANIFOLD_CORE_EXPORTS bool savePolygonMesh (const std::string& file, const p
  * \param[out] cloud the points, in the order of the file; empty on failure
  * \param[out] complex indices are valid for the cloud; empty on failure
  * \param[out] error on failure one line with the line or the byte of the file, without the file's name
- * \return false on failure */
+ * \return false on failure
+ * \ingroup manifold */
 PCL_MANIFOLD_CORE_EXPORTS bool loadComplex (const std::string& file, pcl::PCLPointCloud2& cloud,
                                             SimplicialComplex& complex, std::string& error);
 

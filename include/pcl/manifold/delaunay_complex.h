@@ -23,18 +23,22 @@ namespace manifold {
  *
  * Samples in a plane (affine dimension 2) have no finite cell: every triangle has an infinite cell on either
  * side, and its dual Voronoi edge is the line through its circumcentre between these two. Samples on a line
- * (affine dimension 1) have no cells; the order of the samples along it is in `line`. */
+ * (affine dimension 1) have no cells; the order of the samples along it is in `line`.
+ * \ingroup manifold */
 struct DelaunayComplex
 {
+  /// Stands in for the fourth vertex of an infinite cell.
   static constexpr std::int32_t INFINITE_VERTEX = -1;
+
+  /// Four numbers of samples, or of cells.
   using Cell = std::array<std::int32_t, 4>;
 
-  std::shared_ptr<const SampleSet> samples;
-  int affine_dimension = -1; ///< of the samples: 0 to 3; -1 before anything was computed
+  std::shared_ptr<const SampleSet> samples; ///< what was triangulated
+  int affine_dimension = -1;                ///< of the samples: 0 to 3; -1 before anything was computed
 
-  std::vector<Cell> cells;     ///< samples of each cell, positively oriented
-  std::vector<Cell> neighbors; ///< cells across the facet opposite of each vertex
-  std::int32_t finite_cells = 0;
+  std::vector<Cell> cells;       ///< samples of each cell, positively oriented
+  std::vector<Cell> neighbors;   ///< cells across the facet opposite of each vertex
+  std::int32_t finite_cells = 0; ///< the number of Delaunay tetrahedra
 
   /// Circumcentre of each finite cell; for an infinite cell the unit normal of its hull facet that points out
   /// of the hull: the direction of the unbounded Voronoi edge.
@@ -45,6 +49,9 @@ struct DelaunayComplex
 
   std::vector<std::int32_t> line; ///< affine dimension 1: the samples in their order along the line
 
+  /** \brief Whether a cell stands for an unbounded Voronoi edge.
+   * \param[in] cell its number
+   * \return true for those after the Delaunay tetrahedra */
   bool isInfinite (std::int32_t cell) const { return cell >= finite_cells; }
 };
 
@@ -53,8 +60,10 @@ struct DelaunayComplex
  * \param[in] samples distinct finite points
  * \param[in] threads for the insertion of the points; what follows runs in the current arena. More than one
  * where that pays: small sets are inserted by one thread.
+ * \return never null. Throws where memory runs out
  *
- * O (n) tetrahedra and time on the samples of surfaces met in practice, O (n^2) at worst. */
+ * O (n) tetrahedra and time on the samples of surfaces met in practice, O (n^2) at worst.
+ * \ingroup manifold */
 PCL_MANIFOLD_DELAUNAY_EXPORTS std::shared_ptr<const DelaunayComplex> computeDelaunayComplex (
   const std::shared_ptr<const SampleSet>& samples, unsigned int threads);
 

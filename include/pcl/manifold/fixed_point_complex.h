@@ -16,12 +16,16 @@ namespace pcl {
 namespace manifold {
 
 /** \brief A set of Delaunay triangles as a flag for every facet of every cell: both facets of a triangle have
- * the same flag. */
+ * the same flag.
+ * \ingroup manifold */
 struct FacetFlags
 {
   std::vector<std::uint8_t> mask; ///< a byte a cell; bit k is the facet opposite of vertex k
 
-  /** \brief Whether the triangle that is a facet of a cell is in the set; it may be asked of either cell. */
+  /** \brief Whether the triangle that is a facet of a cell is in the set; it may be asked of either cell.
+   * \param[in] cell its number
+   * \param[in] facet the number of the vertex opposite of it in the cell, 0 to 3
+   * \return true if so */
   bool contains (std::int32_t cell, int facet) const { return (mask[cell] >> facet & 1) != 0; }
 };
 
@@ -38,11 +42,12 @@ operator!= (const FacetFlags& a, const FacetFlags& b)
 }
 
 /** \brief A mesh in the coordinates of the samples (SampleSet::points). Its triangles need not fit together,
- * and may be as flat as a segment or a point. */
+ * and may be as flat as a segment or a point.
+ * \ingroup manifold */
 struct FlatPieces
 {
-  Eigen::Matrix3Xd vertices;
-  std::vector<std::array<std::int32_t, 3>> triangles;
+  Eigen::Matrix3Xd vertices;                          ///< a column each
+  std::vector<std::array<std::int32_t, 3>> triangles; ///< columns of vertices
 };
 
 /** \brief The restricted Delaunay triangulation of the samples by a mesh, Del|Lambda V of Khoury and
@@ -58,19 +63,25 @@ struct FlatPieces
  * \return PARAMETER_OUT_OF_RANGE where a coordinate is not finite or a triangle names no vertex
  *
  * Parallel over the triangles in the current arena; the time is that of finding the sample nearest to each
- * and in proportion to the Voronoi faces that it meets. Does not throw. */
+ * and in proportion to the Voronoi faces that it meets. Does not throw.
+ * \ingroup manifold */
 PCL_MANIFOLD_DELAUNAY_EXPORTS Status restrictedDelaunay (const DelaunayComplex& complex,
                                                          const FlatPieces& pieces,
                                                          FacetFlags& result) noexcept;
 
 /** \brief As above for a set of Delaunay triangles as the mesh. A triangle of the set whose own dual Voronoi
  * edge it meets is in the result, too: it is anchored.
+ * \param[in] complex of any affine dimension
  * \param[in] pieces one byte a cell of the complex
- * Throws where memory runs out. */
+ * \return as many flags as there are cells
+ *
+ * Throws where memory runs out.
+ * \ingroup manifold */
 PCL_MANIFOLD_DELAUNAY_EXPORTS FacetFlags restrictedDelaunay (const DelaunayComplex& complex,
                                                              const FacetFlags& pieces);
 
-/** \brief Where the restricted Delaunay operator leads to. */
+/** \brief Where the restricted Delaunay operator leads to.
+ * \ingroup manifold */
 struct FixedPoint
 {
   FacetFlags facets;  ///< the operator maps this to itself
@@ -80,10 +91,15 @@ struct FixedPoint
 /** \brief Applies the restricted Delaunay operator to a set of Delaunay triangles until nothing changes,
  * which is always the case in the end. By Theorem 2 the fixed point has every anchored triangle that descends
  * from the start, and every triangle that descends from these; the triangles that each one generates are
- * computed once. Parallel in the current arena. Throws where memory runs out. */
+ * computed once. Parallel in the current arena. Throws where memory runs out.
+ * \param[in] complex of any affine dimension
+ * \param[in] start one byte a cell of the complex
+ * \return the fixed point, and how many steps led to it
+ * \ingroup manifold */
 PCL_MANIFOLD_DELAUNAY_EXPORTS FixedPoint fixedPoint (const DelaunayComplex& complex, const FacetFlags& start);
 
-/** \brief How critical points near the surface are told from those near its medial axis. */
+/** \brief How critical points near the surface are told from those near its medial axis.
+ * \ingroup manifold */
 struct CriticalPointParameters
 {
   /// A sample v of an anchored triangle with the circumcentre z calls it medial if |vz| / |vp| is more than
@@ -94,7 +110,8 @@ struct CriticalPointParameters
   int votes = 1;
 };
 
-/** \brief The manifold fixed-point complex of Khoury and Shewchuk, section 8. */
+/** \brief The manifold fixed-point complex of Khoury and Shewchuk, section 8.
+ * \ingroup manifold */
 struct FixedPointComplex
 {
   FacetFlags facets;        ///< of the whole complex: manifold anchored and chained triangles
@@ -115,7 +132,8 @@ struct FixedPointComplex
  * where the log says so
  *
  * What is anchored and what is chained is decided exactly; the classification compares distances in doubles.
- * Parallel in the current arena. Does not throw. */
+ * Parallel in the current arena. Does not throw.
+ * \ingroup manifold */
 PCL_MANIFOLD_DELAUNAY_EXPORTS Status computeFixedPointComplex (const DelaunayComplex& complex,
                                                                const CriticalPointParameters& parameters,
                                                                StageLog& log,

@@ -16,7 +16,8 @@ namespace pcl {
 
 namespace manifold {
 
-/** \brief How many triangles of each kind FixedPointReconstruction found. */
+/** \brief How many triangles of each kind FixedPointReconstruction found.
+ * \ingroup manifold */
 struct FixedPointCounts
 {
   std::size_t anchored = 0; ///< Delaunay triangles that meet their own dual Voronoi edges
@@ -57,7 +58,7 @@ struct FixedPointCounts
  * order of the points.
  *
  * \note The library is distributed under GPL-3, as CGAL's triangulations are.
- */
+ * \ingroup manifold */
 template <typename PointT>
 class FixedPointReconstruction : public manifold::ComplexReconstruction<PointT>
 {

@@ -32,6 +32,10 @@ namespace pcl {
  * published rule, and landmarks are nearer to each other on thin parts and on small clouds unless
  * setRefine (false) asks for the same distance everywhere.
  *
+ * A search that setSearchMethod () of PCL's base class is given finds the neighbours, one query after the
+ * other, with the distances that it knows. It is given the cloud and the indices of the distinct finite
+ * points. By default the points are sorted along a space-filling curve and searched in bulk, in parallel.
+ *
  * The points should sample a surface evenly, as dense as the thinnest part asks: parts nearer to each other
  * than a few spacings grow together. Points that are not finite, and all but one of exact duplicates, are
  * left out. What comes out is consistently oriented where it is orientable; in three dimensions outwards.
@@ -41,36 +45,40 @@ namespace pcl {
  * that fewer than three landmarks are left), PARAMETER_OUT_OF_RANGE, INPUT_TOO_COARSE, INPUT_OUT_OF_RANGE,
  * CANCELLED, OUT_OF_MEMORY, INTERNAL_ERROR (also where the progress callback throws).
  *
- * Time is that of a k nearest neighbour search, O (n log n), and about half of it again; memory about 220
+ * Time is that of a k nearest neighbour search, O (n log n), and about half of it again; memory about 240
  * bytes a point. The result is the same, bit for bit, for any number of threads and, up to renumbering, for
  * any order of the points. Where a graph is given the numbers of its vertices decide instead.
  *
  * The class derives from pcl::MeshConstruction for PCL's own point types with x, y and z, and from its base
  * pcl::PCLSurfaceBase, with the same functions, for all others: those need no PCL_NO_PRECOMPILE.
- */
+ * \ingroup manifold */
 template <typename PointT>
 class GraphReconstruction : public manifold::Computation<manifold::MeshBase<PointT>>
 {
 public:
+  /** \brief A shared pointer to an object of this class. */
   using Ptr = shared_ptr<GraphReconstruction<PointT>>;
+
+  /** \brief A shared pointer to a constant object of this class. */
   using ConstPtr = shared_ptr<const GraphReconstruction<PointT>>;
+
+  /** \brief A shared pointer to what makes vectors of points. */
   using PointRepresentationConstPtr = typename PointRepresentation<PointT>::ConstPtr;
 
+  /** \brief Every parameter has its default. */
   GraphReconstruction ()
   {
     // The base class would index the cloud again.
     this->check_tree_ = false;
   }
 
-  // setSearchMethod () of the base class: a search of the user's own finds the neighbours, one query after
-  // the other, with the distances that it knows. It is given the cloud and the indices of the distinct finite
-  // points. By default the points are sorted along a space-filling curve and searched in bulk, in parallel.
-
   /** \brief The number of neighbours that each point is joined with (kappa in the paper).
    * \param[in] k at least 1; 15 by default, as in section 3. A k of n or more joins every point with all
    * others */
   void setKSearch (int k) { parameters_.k_search = k; }
 
+  /** \brief The number of neighbours that each point is joined with.
+   * \return see setKSearch () */
   int getKSearch () const { return parameters_.k_search; }
 
   /** \brief The least distance of two landmarks in hops (k in the paper): the larger, the coarser the mesh.
@@ -78,6 +86,8 @@ public:
    * are of use */
   void setHops (int hops) { parameters_.hops = hops; }
 
+  /** \brief The least distance of two landmarks.
+   * \return in hops, see setHops () */
   int getHops () const { return parameters_.hops; }
 
   /** \brief Whether there are more landmarks where those of a maximal k-hop stable set would be too few to
@@ -87,6 +97,8 @@ public:
    */
   void setRefine (bool refine) { parameters_.refine = refine; }
 
+  /** \brief Whether landmarks are nearer to each other on thin parts.
+   * \return see setRefine () */
   bool getRefine () const { return parameters_.refine; }
 
   /** \brief Tiles that touch by more than this are adjacent (a in the paper): too small, and adjacencies
@@ -94,24 +106,32 @@ public:
    * \param[in] threshold at least 0; 7 by default, as in section 3 */
   void setAdjacencyThreshold (int threshold) { parameters_.adjacency_threshold = threshold; }
 
+  /** \brief By more than what tiles have to touch to be adjacent.
+   * \return see setAdjacencyThreshold () */
   int getAdjacencyThreshold () const { return parameters_.adjacency_threshold; }
 
   /** \brief What is compared with the threshold, see AdjacencyRule.
    * \param[in] rule BOUNDARY_POINTS by default, as in section 3.1 */
   void setAdjacencyRule (manifold::AdjacencyRule rule) { parameters_.adjacency_rule = rule; }
 
+  /** \brief What is compared with the threshold.
+   * \return see setAdjacencyRule () */
   manifold::AdjacencyRule getAdjacencyRule () const { return parameters_.adjacency_rule; }
 
   /** \brief How faces are found, see FaceRule.
    * \param[in] rule ROTATION_SYSTEM by default; SHORTEST_CYCLES as published in section 3.1 */
   void setFaceRule (manifold::FaceRule rule) { parameters_.face_rule = rule; }
 
+  /** \brief How faces are found.
+   * \return see setFaceRule () */
   manifold::FaceRule getFaceRule () const { return parameters_.face_rule; }
 
   /** \brief The largest number of edges of a face: a longer cycle bounds a hole of the surface.
    * \param[in] length at least 3; 8 by default */
   void setMaximumFaceLength (int length) { parameters_.maximum_face_length = length; }
 
+  /** \brief The largest number of edges of a face.
+   * \return see setMaximumFaceLength () */
   int getMaximumFaceLength () const { return parameters_.maximum_face_length; }
 
   /** \brief Whether faces of more than three edges are cut into triangles. Where none but edges of the mesh
@@ -120,12 +140,16 @@ public:
    * \param[in] triangulate true by default */
   void setTriangulate (bool triangulate) { parameters_.triangulate = triangulate; }
 
+  /** \brief Whether larger faces are cut into triangles.
+   * \return see setTriangulate () */
   bool getTriangulate () const { return parameters_.triangulate; }
 
   /** \brief Chooses between the many maximal sets of landmarks.
    * \param[in] seed any; 1 by default */
   void setSeed (std::uint64_t seed) { parameters_.seed = seed; }
 
+  /** \brief What chooses between the sets of landmarks.
+   * \return see setSeed () */
   std::uint64_t getSeed () const { return parameters_.seed; }
 
   /** \brief A graph to be used instead of that of the nearest neighbours; no coordinates are needed then.
@@ -152,40 +176,49 @@ public:
     representation_ = std::move (representation);
   }
 
+  /** \brief What makes vectors of the points.
+   * \return null for x, y and z */
   PointRepresentationConstPtr getPointRepresentation () const { return representation_; }
 
-  /** \brief The faces as polygons over all points of the input cloud.
-   * \param[out] output empty on failure */
+  /** \brief Reconstructs a mesh: the faces as polygons over all points of the input cloud.
+   * \param[out] output its cloud has all fields, the layout and the header of the input; empty on failure, see
+   * getStatus () */
   void reconstruct (pcl::PolygonMesh& output) override;
 
-  /** \brief As above, polygons only. */
+  /** \brief As above, polygons only.
+   * \param[out] polygons index the input cloud; empty on failure */
   void reconstruct (std::vector<pcl::Vertices>& polygons) override;
 
   // What the stages of the last reconstruct () gave. All of it is there for the status OK, all but faces for
   // DIMENSION_TOO_LOW, and nothing otherwise.
 
-  /** \brief The index of every landmark in the input cloud. */
+  /** \brief The landmarks.
+   * \return indices into the input cloud */
   pcl::Indices getLandmarks () const;
 
-  /** \brief Per point (of those that setIndices () names, in their order) the number of its landmark, a
-   * position in getLandmarks (); a duplicate has that of the point that was kept, a point that is not finite
-   * -1. */
+  /** \brief The landmark of each point.
+   * \return per point (of those that setIndices () names, in their order) a position in getLandmarks (); a
+   * duplicate has that of the point that was kept, a point that is not finite -1 */
   std::vector<pcl::index_t> getTiles () const;
 
-  /** \brief The pairs of landmarks, by their numbers, whose tiles touch, and whether that makes them
-   * adjacent. */
+  /** \brief Whose tiles touch, and whether that makes them adjacent.
+   * \return pairs of landmarks, by their numbers */
   const std::vector<manifold::TileContact>& getAdjacency () const { return result_.contacts; }
 
-  /** \brief Edges, faces and holes over the numbers of landmarks; the faces as found, not triangulated. */
+  /** \brief The mesh of landmarks.
+   * \return edges, faces and holes over the numbers of landmarks; the faces as found, not triangulated */
   const manifold::LandmarkMesh& getLandmarkMesh () const { return result_.mesh; }
 
-  /** \brief Counts and genus of the mesh of landmarks, before it was triangulated (section 4.3). */
+  /** \brief Counts and genus of the mesh of landmarks, before it was triangulated (section 4.3).
+   * \return of the whole mesh and of each component */
   const manifold::LandmarkMeshReport& getReport () const { return result_.report; }
 
-  /** \brief The neighbourhood graph that was used. */
+  /** \brief The neighbourhood graph that was used.
+   * \return over the distinct finite points of the cloud, or the given one, made proper */
   const manifold::NeighborhoodGraph& getNeighborhoodGraph () const { return cloud_graph_.graph; }
 
-  /** \brief Per vertex of the neighbourhood graph its index in the input cloud. */
+  /** \brief The points that are vertices of the neighbourhood graph.
+   * \return per vertex its index in the input cloud */
   const pcl::Indices& getVertices () const { return cloud_graph_.input_index; }
 
 protected:
@@ -193,10 +226,16 @@ protected:
   using manifold::MeshBase<PointT>::indices_;
   using manifold::MeshBase<PointT>::tree_;
 
+  /** \brief As reconstruct (output).
+   * \param[out] output see there */
   void performReconstruction (pcl::PolygonMesh& output) override { reconstruct (output); }
 
+  /** \brief As reconstruct (polygons).
+   * \param[out] polygons see there */
   void performReconstruction (std::vector<pcl::Vertices>& polygons) override { reconstruct (polygons); }
 
+  /** \brief The name of the class.
+   * \return without its namespace */
   std::string getClassName () const override { return "GraphReconstruction"; }
 
 private:

@@ -17,20 +17,24 @@ namespace manifold {
  * \param[in] hops k, at least 1; with 1 every vertex is taken
  * \param[in] seed of the priorities
  * \param[in] threads 0 = all cores
- * \return the landmarks, in ascending order */
+ * \return the landmarks, in ascending order
+ * \ingroup manifold */
 PCL_MANIFOLD_CORE_EXPORTS std::vector<pcl::index_t> maximalStableSet (const NeighborhoodGraph& graph,
                                                                       int hops, std::uint64_t seed,
                                                                       unsigned int threads);
 
 /** \brief The graph Voronoi diagram of a graph: per vertex the number (position in \a landmarks) of the
- * nearest landmark in hops, the smallest of several; -1 where no landmark can be reached.
+ * nearest landmark in hops, the smallest of several. Linear in the number of edges.
  * \param[in] graph proper
  * \param[in] landmarks distinct vertices
- * \param[in] threads 0 = all cores; the result is the same for any number */
+ * \param[in] threads 0 = all cores; the result is the same for any number
+ * \return per vertex a position in \a landmarks; -1 where no landmark can be reached
+ * \ingroup manifold */
 PCL_MANIFOLD_CORE_EXPORTS std::vector<pcl::index_t> graphVoronoiDiagram (
   const NeighborhoodGraph& graph, const std::vector<pcl::index_t>& landmarks, unsigned int threads);
 
-/** \brief When two tiles are adjacent. */
+/** \brief When two tiles are adjacent.
+ * \ingroup manifold */
 enum class AdjacencyRule
 {
   BOUNDARY_POINTS, ///< b12 + b21 > a, b12 being the points of tile 1 that have a neighbour in tile 2 (3.1)
@@ -38,7 +42,8 @@ enum class AdjacencyRule
   CLEAR_PATH ///< a path between the landmarks at least two hops from every other tile (section 2, step 4)
 };
 
-/** \brief Two tiles that touch each other. */
+/** \brief Two tiles that touch each other.
+ * \ingroup manifold */
 struct TileContact
 {
   pcl::index_t first = 0;           ///< number of a landmark
@@ -53,7 +58,9 @@ struct TileContact
  * \param[in] landmarks as for graphVoronoiDiagram
  * \param[in] tiles of graphVoronoiDiagram
  * \param[in] rule, threshold which of them are adjacent; the path rule has no threshold
- * \param[in] threads 0 = all cores; the result is the same for any number */
+ * \param[in] threads 0 = all cores; the result is the same for any number
+ * \return pairs of tiles that touch, adjacent or not
+ * \ingroup manifold */
 PCL_MANIFOLD_CORE_EXPORTS std::vector<TileContact> tileContacts (const NeighborhoodGraph& graph,
                                                                  const std::vector<pcl::index_t>& landmarks,
                                                                  const std::vector<pcl::index_t>& tiles,
@@ -82,7 +89,8 @@ PCL_MANIFOLD_CORE_EXPORTS std::vector<TileContact> tileContacts (const Neighborh
  * \param[in] crowded tiles around which landmarks may be at 3 hops whatever the rings say: those of faces
  * that pass a landmark twice, for instance
  * \param[in] threads 0 = all cores; the result is the same for any number
- * \return all landmarks, in ascending order */
+ * \return all landmarks, in ascending order
+ * \ingroup manifold */
 PCL_MANIFOLD_CORE_EXPORTS std::vector<pcl::index_t> refineLandmarks (
   const NeighborhoodGraph& graph, int hops, std::uint64_t seed, const std::vector<pcl::index_t>& landmarks,
   const std::vector<pcl::index_t>& tiles, const std::vector<TileContact>& contacts,

@@ -13,7 +13,8 @@ namespace manifold {
  * \param[in] mesh x, y and z may be floats or doubles
  * \param[out] pieces in the coordinates of the mesh; empty unless the answer is Status::OK
  * \return PARAMETER_OUT_OF_RANGE for a mesh without faces, a polygon that names no point, a vertex that is
- * not finite, or points without x, y and z. Does not throw. */
+ * not finite, or points without x, y and z. Does not throw.
+ * \ingroup manifold */
 PCL_MANIFOLD_DELAUNAY_EXPORTS Status meshPieces (const pcl::PolygonMesh& mesh, FlatPieces& pieces) noexcept;
 
 } // namespace manifold

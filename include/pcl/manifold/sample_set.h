@@ -13,11 +13,13 @@
 namespace pcl {
 namespace manifold {
 
-/** \brief The relative precision of the coordinates of a cloud of floats. */
+/** \brief The relative precision of the coordinates of a cloud of floats.
+ * \ingroup manifold */
 constexpr double FLOAT_RESOLUTION = 5.9604644775390625e-08; // 2^-24
 
 /** \brief How a cloud is thinned to a sample that meets the (eps, delta) condition of Definition 2.1 of Dey,
- * Giesen, Goswami and Zhao. */
+ * Giesen, Goswami and Zhao.
+ * \ingroup manifold */
 struct Thinning
 {
   int neighbors = 0;     ///< no two samples are among each other's k nearest neighbours; 0 = off
@@ -26,14 +28,15 @@ struct Thinning
 
 /** \brief The distinct finite points of a cloud that a reconstruction works on, in an order that depends on
  * their coordinates only (along a space-filling curve), so that nothing computed from it depends on the order
- * of the input. */
+ * of the input.
+ * \ingroup manifold */
 struct SampleSet
 {
   /// Sample coordinates: (input - origin) * scale, which is exact. Scale is a power of two that makes the
   /// largest extent lie in [1, 2).
   Eigen::Matrix3Xd points;
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero ();
-  double scale = 1.0;
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero (); ///< in the coordinates of the input
+  double scale = 1.0;                                ///< a power of two
 
   /// Per sample the index of its point in the user's cloud: the first of its exact duplicates.
   pcl::Indices input_index;
@@ -46,6 +49,8 @@ struct SampleSet
   std::size_t duplicates = 0; ///< input points merged with an equal one
   std::size_t thinned = 0;    ///< distinct points left out by thinning
 
+  /** \brief The number of samples.
+   * \return the columns of points */
   std::int32_t size () const { return static_cast<std::int32_t> (points.cols ()); }
 };
 
@@ -59,7 +64,8 @@ struct SampleSet
  * INPUT_TOO_COARSE where the typical spacing is no more than a few steps of the coordinates' type far from
  * the origin, INPUT_OUT_OF_RANGE where the extent of the points overflows
  *
- * O (n log n), plus one k-nearest-neighbour search of every point where thinning asks for it. */
+ * O (n log n), plus one k-nearest-neighbour search of every point where thinning asks for it.
+ * \ingroup manifold */
 PCL_MANIFOLD_CORE_EXPORTS Status makeSampleSet (const Eigen::Ref<const Eigen::Matrix3Xd>& points,
                                                 const pcl::Indices& indices, const Thinning& thinning,
                                                 double resolution, SampleSet& samples);

@@ -9,7 +9,8 @@ namespace pcl {
 namespace manifold {
 
 /** \brief Why a computation ended as it did. Every class of the module answers with one of these from
- * getStatus (). */
+ * getStatus ().
+ * \ingroup manifold */
 enum class Status
 {
   OK,                     ///< done, the output is complete
@@ -25,12 +26,16 @@ enum class Status
   INTERNAL_ERROR          ///< an invariant of the library did not hold; please report it
 };
 
-/** \brief The name of a status, as in the enum. */
+/** \brief The name of a status, as in the enum.
+ * \param[in] status any
+ * \return a literal, "OK" for instance
+ * \ingroup manifold */
 PCL_MANIFOLD_CORE_EXPORTS const char* toString (Status status);
 
 /** \brief Told how far a computation is, a fraction in [0, 1] that never decreases. Returning false cancels
  * the computation: the output is left empty and the status is CANCELLED. Called from the thread that called
- * compute () or reconstruct (). */
+ * compute () or reconstruct ().
+ * \ingroup manifold */
 using ProgressCallback = std::function<bool (float)>;
 
 } // namespace manifold
