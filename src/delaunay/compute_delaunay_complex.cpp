@@ -10,8 +10,13 @@
 #include <tbb/scalable_allocator.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <exception>
+#include <new>
 #include <random>
+#include <system_error>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -142,6 +147,46 @@ copyTriangulation (T& triangulation, FlatCells& flat)
 
 using Points = std::vector<std::pair<Kernel::Point_3, std::int32_t>>;
 
+// CGAL keeps the facets around the point that it inserts in a variable of the thread (vertex_pair_facet_map).
+// An allocation that fails leaves them there, and the next insertion by the same thread would read them. So
+// once an insertion has thrown, no other one runs in a thread that may have taken part.
+std::atomic<bool> insertion_has_thrown{false};
+
+// Runs body () in a thread of its own.
+template <typename Body>
+void
+inFreshThread (const Body& body)
+{
+  std::exception_ptr thrown;
+  try {
+    std::thread thread ([&] {
+      try {
+        body ();
+      } catch (...) {
+        thrown = std::current_exception ();
+      }
+    });
+    thread.join ();
+  } catch (const std::system_error&) {
+    throw std::bad_alloc (); // no room for another thread
+  }
+  if (thrown)
+    std::rethrow_exception (thrown);
+}
+
+// Runs insert (), and remembers if it throws.
+template <typename Insert>
+void
+watched (const Insert& insert)
+{
+  try {
+    insert ();
+  } catch (...) {
+    insertion_has_thrown = true;
+    throw;
+  }
+}
+
 // Gives the memory of a triangulation that was made in parallel back to the system: TBB's allocator would
 // keep it.
 struct MemoryReturn
@@ -167,7 +212,7 @@ insertInParallel (const Points& points, const Use& use)
   T triangulation;
   // CGAL 5.5 silently ignores locks that are passed to an insertion of points with info.
   triangulation.set_lock_data_structure (&locks);
-  triangulation.insert (points.begin (), points.end ());
+  watched ([&] { triangulation.insert (points.begin (), points.end ()); });
   triangulation.set_lock_data_structure (nullptr);
   use (triangulation);
 }
@@ -203,12 +248,18 @@ insertInSequence (const Points& points, const Use& use)
 {
   using T = Triangulation<CGAL::Sequential_tag>;
   T triangulation;
-  typename T::Cell_handle hint;
-  for (const std::int32_t i : insertionOrder (points.size ())) {
-    const auto vertex = triangulation.insert (points[i].first, hint);
-    vertex->info () = points[i].second;
-    hint = vertex->cell ();
-  }
+  const auto insert = [&] {
+    typename T::Cell_handle hint;
+    for (const std::int32_t i : insertionOrder (points.size ())) {
+      const auto vertex = triangulation.insert (points[i].first, hint);
+      vertex->info () = points[i].second;
+      hint = vertex->cell ();
+    }
+  };
+  if (insertion_has_thrown)
+    inFreshThread (insert);
+  else
+    watched (insert);
   use (triangulation);
 }
 
@@ -253,8 +304,8 @@ triangulate (const SampleSet& samples, bool parallel)
 std::shared_ptr<const DelaunayComplex>
 computeDelaunayComplex (const std::shared_ptr<const SampleSet>& samples, unsigned int threads)
 {
-  const bool parallel =
-    threads > 1 && samples->size () >= PARALLEL_MIN_SAMPLES && parallelPays (pointsWithIndices (*samples));
+  const bool parallel = threads > 1 && samples->size () >= PARALLEL_MIN_SAMPLES && !insertion_has_thrown &&
+                        parallelPays (pointsWithIndices (*samples));
   return makeDelaunayComplex (samples, triangulate (*samples, parallel));
 }
 
