@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -30,7 +31,8 @@ namespace pcl {
  * neighbours which manifold a point belongs to; the paper labels the rim of a surface 1 and the skin of a
  * solid 2.
  *
- * Points that are not finite get the label 0. On failure the output is empty and getStatus () says why.
+ * Points that are not finite, and rays without measurement (see SampleSet), get the label 0. On failure the
+ * output is empty and getStatus () says why.
  *
  * Time and memory are those of a 3D Delaunay triangulation of the samples. The result is the same, bit for
  * bit, for any number of threads.
@@ -82,14 +84,15 @@ public:
   }
 
   /** \brief The label of every point (of those that setIndices () names, in their order).
-   * \param[out] output one label a point: 1, 2, 3, or 0 for points that are not finite; empty on failure */
+   * \param[out] output one label a point: 1, 2, 3, or 0 for points that are not finite or no measurement;
+   * empty on failure */
   void compute (pcl::PointCloud<pcl::Label>& output);
 
   /** \brief How the last compute () ended. */
   manifold::Status getStatus () const { return status_; }
 
   /** \brief Per point the dimension of the manifold that it belongs to: 2 also at the rim of a surface, 3
-   * also at the skin of a solid; 0 for points that are not finite. */
+   * also at the skin of a solid; 0 for points that are not finite or no measurement. */
   std::vector<std::uint8_t> getManifoldDimension () const;
 
   /** \brief Per point whether it is on the boundary of its manifold: rim, skin or end of a curve. */
@@ -114,6 +117,11 @@ public:
 
   /** \brief Everything that was found, per sample, to be handed to CoconeShape; null before compute (). */
   std::shared_ptr<const manifold::SampleDimensions> getSampleDimensions () const { return result_; }
+
+  /** \brief How many samples were taken for ones of a curve although others lie beside it: if most, the points
+   * are those of a surface in rows that are nearer along than across, or they are noisy, and thinning with
+   * setKSearch (8) or so makes them even. 0 before compute (). */
+  std::size_t getContradictedCount () const { return result_ ? result_->contradicted : 0; }
 
   /** \brief Seconds and peak memory of each stage of the last compute (). */
   const std::vector<manifold::Stage>& getStages () const { return stages_; }

@@ -9,6 +9,7 @@
 #include <pcl/manifold/status.h>
 #include <pcl/point_representation.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -32,13 +33,14 @@ namespace pcl {
  * setRefine (false) asks for the same distance everywhere.
  *
  * The points should sample a surface evenly, as dense as the thinnest part asks: parts nearer to each other
- * than a few spacings grow together. Points that are not finite, and all but one of exact duplicates, are
- * left out. What comes out is consistently oriented where it is orientable; in three dimensions outwards.
+ * than a few spacings grow together. Points that are not finite, rays without measurement (see SampleSet),
+ * and all but one of exact duplicates, are left out. What comes out is consistently oriented where it is
+ * orientable; in three dimensions outwards.
  *
  * On failure the output is empty and getStatus () says why: NO_INPUT, TOO_FEW_POINTS for fewer than three
  * distinct points, DIMENSION_TOO_LOW where no face was found (the points lie along a curve, or are so few
  * that fewer than three landmarks are left), PARAMETER_OUT_OF_RANGE, INPUT_TOO_COARSE, INPUT_OUT_OF_RANGE,
- * CANCELLED, OUT_OF_MEMORY, INTERNAL_ERROR (also where the progress callback throws).
+ * TOO_MANY_POINTS, CANCELLED, OUT_OF_MEMORY, INTERNAL_ERROR (also where the progress callback throws).
  *
  * Time is that of a k nearest neighbour search, O (n log n), and about half of it again; memory about 220
  * bytes a point. The result is the same, bit for bit, for any number of threads and, up to renumbering, for
@@ -183,7 +185,7 @@ public:
 
   /** \brief Per point (of those that setIndices () names, in their order) the number of its landmark, a
    * position in getLandmarks (); a duplicate has that of the point that was kept, a point that is not finite
-   * -1. */
+   * or no measurement -1. */
   std::vector<pcl::index_t> getTiles () const;
 
   /** \brief The pairs of landmarks, by their numbers, whose tiles touch, and whether that makes them
@@ -201,6 +203,9 @@ public:
 
   /** \brief Per vertex of the neighbourhood graph its index in the input cloud. */
   const pcl::Indices& getVertices () const { return cloud_graph_.input_index; }
+
+  /** \brief How many points were left out because they stand for no measurement, see SampleSet. */
+  std::size_t getNoMeasurementCount () const { return cloud_graph_.no_measurement; }
 
   /** \brief Seconds and peak memory of each stage of the last reconstruct (). */
   const std::vector<manifold::Stage>& getStages () const { return stages_; }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -23,6 +24,9 @@ struct SampleDimensions
   /// The dimension of the manifold that the sample belongs to, and whether it is on that manifold's boundary.
   std::vector<std::uint8_t> manifold_dimension;
   std::vector<std::uint8_t> boundary;
+  /// Samples that were taken for ones of a curve although others lie beside it: the points of a surface lie
+  /// in rows, or they are noisy.
+  std::size_t contradicted = 0;
   /// How far the ratios of the heights are from rho, in [0, 1]: 0 = on the edge between two answers.
   std::vector<float> confidence;
 
