@@ -77,7 +77,7 @@ main (int argc, char** argv)
     const PointCounts counts = countsOf (input, *reconstruction.getDelaunayComplex ()->samples);
     noteLeftOut (input, counts, common.quiet);
     describeInput (input, counts, report, table);
-    describeContradiction (input, reconstruction.getContradictedCount (), counts, common.quiet, report);
+    describeContradiction (input, reconstruction.getContradictedCount (), counts, options, report);
     options.describe (report);
     report.parameter ("watertight", watertight);
     describeTopology (analyze (shape), report, table);

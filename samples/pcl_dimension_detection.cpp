@@ -99,7 +99,7 @@ main (int argc, char** argv)
     const PointCounts counts = countsOf (input, *detection.getDelaunayComplex ()->samples);
     noteLeftOut (input, counts, common.quiet);
     describeInput (input, counts, report, table);
-    describeContradiction (input, detection.getContradictedCount (), counts, common.quiet, report);
+    describeContradiction (input, detection.getContradictedCount (), counts, options, report);
     options.describe (report);
     report.result ("affine_dimension", detection.getDelaunayComplex ()->affine_dimension);
     report.result ("tetrahedra", detection.getDelaunayComplex ()->finite_cells);

@@ -4,6 +4,7 @@
 
 #include <pcl/conversions.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace pcl::manifold::apps {
@@ -88,14 +89,16 @@ noteLeftOut (const InputCloud& input, const PointCounts& counts, bool quiet)
 
 void
 describeContradiction (const InputCloud& input, std::size_t contradicted, const PointCounts& counts,
-                       bool quiet, Report& report)
+                       const SampleOptions& options, Report& report)
 {
+  constexpr int K = 8; // made one surface of most such clouds
   report.result ("contradicted", Json::UInt64 (contradicted));
-  if (!quiet && 2 * contradicted > counts.samples)
+  if (!options.common.quiet && 2 * contradicted > counts.samples)
     std::cerr
       << input.file << ": " << 100 * contradicted / counts.samples
-      << " % of the samples look like ones of curves, but others lie beside these: points of a surface in "
-         "rows, or noisy ones. Try -k 8, or pcl_fixed_point_reconstruction\n";
+      << " % of the samples look like ones of curves, but others lie beside these: points of a surface "
+         "in rows, or noisy ones. Try -k "
+      << std::max (K, 2 * options.k) << ", or for surfaces pcl_fixed_point_reconstruction\n";
 }
 
 void

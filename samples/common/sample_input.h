@@ -83,7 +83,7 @@ void noteLeftOut (const InputCloud& input, const PointCounts& counts, bool quiet
 /** \brief Reports how many samples of curves lie beside others, and says on standard error what helps where
  * that is most of all. */
 void describeContradiction (const InputCloud& input, std::size_t contradicted, const PointCounts& counts,
-                            bool quiet, Report& report);
+                            const SampleOptions& options, Report& report);
 
 /** \brief Reports and tabulates what became of the points of a cloud, and the stages of a computation. */
 void describeInput (const InputCloud& input, const PointCounts& counts, Report& report, Table& table);
