@@ -2,12 +2,15 @@
 #include "oracle_complex.h"
 #include "oracle_lattice.h"
 
+#include "common/guarded.h"
 #include "common/parallel.h"
 #include "delaunay/flat_complex.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 #include <string>
 
 namespace {
