@@ -19,8 +19,16 @@ if (PCL_MANIFOLD_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set (CMAKE_CXX_COMPILER_LAUNCHER "${PCL_MANIFOLD_CCACHE}")
 endif ()
 
-# Applies the project's warnings and sanitizers to one of its own targets.
+# Contracted to fused multiply-add, as compilers do by default for aarch64 and with -mfma, the same expression is
+# rounded in two ways, and what is said to be exact (distances to boxes and to points, predicates) is not.
+include (CheckCXXCompilerFlag)
+check_cxx_compiler_flag (-ffp-contract=off PCL_MANIFOLD_HAS_FP_CONTRACT)
+
+# Applies the project's arithmetic, warnings and sanitizers to one of its own targets.
 function (pcl_manifold_configure target)
+  if (PCL_MANIFOLD_HAS_FP_CONTRACT)
+    target_compile_options (${target} PRIVATE -ffp-contract=off)
+  endif ()
   target_compile_options (${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)
   # Compiler notes about the ABI of earlier compilers say nothing about the code.
   target_compile_options (${target} PRIVATE -Wno-psabi)

@@ -160,7 +160,9 @@ main (int argc, char** argv)
 
     Report report ("landmarks_to_mesh");
     Table table;
-    describeInput (input, *complex.samples, report, table);
+    const PointCounts counts = countsOf (input, *complex.samples);
+    noteLeftOut (input, counts, common.quiet);
+    describeInput (input, counts, report, table);
     options.describe (report);
     describeMeshes (iterate (*landmarks, complex), cloud->getMatrixXfMap (3, 4, 0).cast<double> (), report,
                     table);

@@ -74,7 +74,10 @@ main (int argc, char** argv)
 
     Report report ("pcl_cocone_shape");
     Table table;
-    describeInput (input, *reconstruction.getDelaunayComplex ()->samples, report, table);
+    const PointCounts counts = countsOf (input, *reconstruction.getDelaunayComplex ()->samples);
+    noteLeftOut (input, counts, common.quiet);
+    describeInput (input, counts, report, table);
+    describeContradiction (input, reconstruction.getContradictedCount (), counts, options, report);
     options.describe (report);
     report.parameter ("watertight", watertight);
     describeTopology (analyze (shape), report, table);

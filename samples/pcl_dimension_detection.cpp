@@ -96,7 +96,10 @@ main (int argc, char** argv)
 
     Report report ("pcl_dimension_detection");
     Table table;
-    describeInput (input, *detection.getDelaunayComplex ()->samples, report, table);
+    const PointCounts counts = countsOf (input, *detection.getDelaunayComplex ()->samples);
+    noteLeftOut (input, counts, common.quiet);
+    describeInput (input, counts, report, table);
+    describeContradiction (input, detection.getContradictedCount (), counts, options, report);
     options.describe (report);
     report.result ("affine_dimension", detection.getDelaunayComplex ()->affine_dimension);
     report.result ("tetrahedra", detection.getDelaunayComplex ()->finite_cells);

@@ -144,7 +144,9 @@ main (int argc, char** argv)
 
     Report report ("pcl_fixed_point_reconstruction");
     Table table;
-    describeInput (input, *reconstruction.getDelaunayComplex ()->samples, report, table);
+    const PointCounts counts = countsOf (input, *reconstruction.getDelaunayComplex ()->samples);
+    noteLeftOut (input, counts, common.quiet);
+    describeInput (input, counts, report, table);
     describeParameters (request, report);
     describeTriangles (request, reconstruction, report, table);
     const pcl::TopologyReport topology = analyze (surface);

@@ -30,9 +30,11 @@ countsOf (const InputCloud& input, const Reconstruction& reconstruction)
 {
   const std::vector<pcl::index_t> tiles = reconstruction.getTiles ();
   PointCounts counts;
-  counts.dropped = static_cast<std::size_t> (std::count (tiles.begin (), tiles.end (), -1));
+  const auto left_out = static_cast<std::size_t> (std::count (tiles.begin (), tiles.end (), -1));
+  counts.no_measurement = reconstruction.getNoMeasurementCount () + input.no_measurement;
+  counts.dropped = left_out - counts.no_measurement;
   counts.samples = reconstruction.getVertices ().size ();
-  counts.duplicates = input.size () - counts.dropped - counts.samples;
+  counts.duplicates = input.size () - left_out - counts.samples;
   return counts;
 }
 
@@ -101,7 +103,9 @@ main (int argc, char** argv)
 
     Report report ("pcl_graph_reconstruction");
     Table table;
-    describeInput (input, countsOf (input, reconstruction), report, table);
+    const PointCounts counts = countsOf (input, reconstruction);
+    noteLeftOut (input, counts, common.quiet);
+    describeInput (input, counts, report, table);
     options.describe (report);
     describeLandmarks (reconstruction.getReport (), report, table);
     report.result ("polygons", Json::UInt64 (mesh.polygons.size ()));

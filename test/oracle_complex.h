@@ -79,7 +79,7 @@ brokenArrays (const DelaunayComplex& complex)
   std::vector<std::int32_t> flat;
   for (std::size_t v = 0; v < samples; ++v) {
     flat.insert (flat.end (), rows[v].begin (), rows[v].end ());
-    if (complex.incident_offsets[v + 1] != static_cast<std::int32_t> (flat.size ()))
+    if (complex.incident_offsets[v + 1] != static_cast<std::int64_t> (flat.size ()))
       return broken ("row of incident cells", v);
   }
   return flat == complex.incident_cells ? "" : "incident cells";

@@ -154,6 +154,36 @@ TEST (Reader, RefusesWhatIsNoFile)
   EXPECT_TRUE (contains (readingError (folder / "zero.xyz"), "is not a regular file"));
 }
 
+// Rows of zeros among map coordinates, which a sensor's driver or a conversion leaves, and a stray.
+TEST (Coordinates, AreShiftedByTheirBulk)
+{
+  const TestFolder folder;
+  std::string rows;
+  for (int i = 0; i < 400; ++i)
+    rows += std::to_string (621300 + i % 20) + ".125 " + std::to_string (5811200 + i / 20) + ".25 " +
+            std::to_string (-i % 7) + "\n";
+  const InputCloud clean = readCloud (folder.write ("clean.xyz", rows));
+  EXPECT_EQ (clean.origin, (std::array<double, 3>{621300, 5811200, 0}));
+  ASSERT_EQ (clean.notes.size (), 1u);
+  EXPECT_EQ (clean.notes[0], "coordinates shifted: origin 621300 5811200 0 subtracted"); // not -0
+  for (const std::string extra : {"0 0 0\n0 0 0\n0 0 0\n", "0 0 0\n", "621300 5811200 -9999999\n"}) {
+    const InputCloud cloud = readCloud (folder.write ("more.xyz", extra + rows));
+    const std::size_t added = cloud.size () - clean.size ();
+    EXPECT_NEAR (cloud.origin[0], 621300, 1000) << extra;
+    EXPECT_NEAR (cloud.origin[1], 5811200, 1000) << extra;
+    EXPECT_EQ (cloud.no_measurement, added == 3 ? 3u : 0u) << extra;
+    for (std::size_t i = 0; i < clean.size (); ++i)
+      for (int axis = 0; axis < 3; ++axis) {
+        const std::string name (1, "xyz"[axis]);
+        ASSERT_EQ (valueAt (cloud.cloud, name, i + added) + cloud.origin[axis],
+                   valueAt (clean.cloud, name, i) + clean.origin[axis])
+          << extra;
+      }
+    for (std::size_t i = 0; i < added; ++i)
+      EXPECT_EQ (std::isnan (valueAt (cloud.cloud, "x", i)), added == 3) << extra;
+  }
+}
+
 TEST (Coordinates, AreShiftedWhereFloatsAreTooCoarse)
 {
   const TestFolder folder;

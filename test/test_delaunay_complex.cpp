@@ -2,12 +2,15 @@
 #include "oracle_complex.h"
 #include "oracle_lattice.h"
 
+#include "common/guarded.h"
 #include "common/parallel.h"
 #include "delaunay/flat_complex.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 #include <string>
 
 namespace {
@@ -161,6 +164,31 @@ largeCloud (const std::string& kind)
     cloud.col (i) = p;
   }
   return cloud;
+}
+
+TEST (DelaunayComplex, SaysWhenThereAreMoreCellsThanNumbers)
+{
+  Random random (3);
+  for (const bool flat : {false, true}) {
+    Eigen::Matrix3Xd cloud (3, 40);
+    for (double& value : cloud.reshaped ())
+      value = random.uniform ();
+    if (flat)
+      cloud.row (2).setZero ();
+    const auto samples = samplesOf (cloud);
+    const std::uint64_t cells = pcl::manifold::triangulate (*samples, false).vertices.size ();
+    EXPECT_EQ (pcl::manifold::triangulate (*samples, false, cells).vertices.size (), cells);
+    EXPECT_THROW (pcl::manifold::triangulate (*samples, false, cells - 1), std::length_error);
+    EXPECT_EQ (pcl::manifold::guarded ([&] {
+                 pcl::manifold::triangulate (*samples, false, cells - 1);
+                 return pcl::manifold::Status::OK;
+               }),
+               pcl::manifold::Status::TOO_MANY_POINTS);
+  }
+  // What is counted per corner of a cell has room for all that the cells' own numbers allow.
+  using Offset = decltype (DelaunayComplex::incident_offsets)::value_type;
+  static_assert (std::numeric_limits<Offset>::max () >=
+                 4 * static_cast<std::int64_t> (std::numeric_limits<std::int32_t>::max ()));
 }
 
 class LargeCloud : public testing::TestWithParam<const char*>

@@ -91,19 +91,35 @@ struct RandomWishes
                          static_cast<std::uint32_t> (random.integer (0, 9)), random.coin ()});
   }
 
-  std::uint32_t size () const { return static_cast<std::uint32_t> (wishes.size ()); }
+  std::uint64_t size () const { return wishes.size (); }
 
-  bool valid (std::uint32_t wish) const { return wishes[wish].step > 0; }
+  bool valid (pcl::manifold::Wish wish) const { return wishes[wish].step > 0; }
 
-  std::uint32_t step (std::uint32_t wish) const { return wishes[wish].step; }
+  std::uint32_t step (pcl::manifold::Wish wish) const { return wishes[wish].step; }
 
-  std::pair<std::uint32_t, std::uint32_t> ends (std::uint32_t wish) const
+  std::pair<std::uint32_t, std::uint32_t> ends (pcl::manifold::Wish wish) const
   {
     return {wishes[wish].a, wishes[wish].b};
   }
 
-  bool opposite (std::uint32_t wish) const { return wishes[wish].opposite; }
+  bool opposite (pcl::manifold::Wish wish) const { return wishes[wish].opposite; }
 };
+
+TEST (SpanningForest, HasKeysForWishesBeyond32Bits)
+{
+  using pcl::manifold::Wish;
+  using pcl::manifold::WishKey;
+  constexpr Wish CELLS = INT32_MAX;
+  constexpr Wish LAST = 4 * CELLS + CELLS - 1; // four facets a cell, and a sample
+  static_assert (LAST > UINT32_MAX && LAST < Wish (1) << WishKey::WISH_BITS);
+  for (const Wish wish : {Wish (0), Wish (1), Wish (UINT32_MAX), Wish (UINT32_MAX) + 1, LAST})
+    for (const std::uint32_t step : {0U, 1U, 4096U}) {
+      const std::uint64_t key = WishKey::of (step, wish);
+      EXPECT_EQ (WishKey::wishOf (key), wish);
+      EXPECT_LT (key, WishKey::of (step, wish + 1));
+      EXPECT_LT (WishKey::of (step, LAST), WishKey::of (step + 1, wish));
+    }
+}
 
 TEST (SpanningForest, GrantsWishesInTheirOrder)
 {

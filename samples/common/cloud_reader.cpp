@@ -65,7 +65,9 @@ readCloud (const std::string& file, Reading reading)
   else
     throw AppError (file, "unknown type of file; known are " + std::string (cloud_file_types));
 
-  input.origin = makeCoordinatesFloat (input.cloud, file);
+  const CoordinateShift shift = makeCoordinatesFloat (input.cloud, file);
+  input.origin = shift.origin;
+  input.no_measurement = shift.no_measurement;
   if (input.origin != std::array<double, 3>{}) {
     std::ostringstream note;
     note.precision (15);

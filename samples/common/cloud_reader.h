@@ -14,6 +14,7 @@ struct InputCloud
   std::string file;
   pcl::PCLPointCloud2 cloud;      ///< every field of the file; x, y, z are FLOAT32; at least one point
   std::array<double, 3> origin{}; ///< was subtracted from the coordinates of the file
+  std::size_t no_measurement = 0; ///< points that were none, and are NaN, see makeCoordinatesFloat ()
   std::array<double, 7> viewpoint{0, 0, 0, 1,
                                   0, 0, 0}; ///< of a PCD file: translation, quaternion (w, x, y, z)
   std::vector<std::string> notes;           ///< lines that the user should be told

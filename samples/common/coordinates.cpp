@@ -5,6 +5,7 @@
 #include "number_text.h"
 
 #include <pcl/PCLPointField.h>
+#include <pcl/manifold/bulk_box.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,37 +39,51 @@ valuesOf (const pcl::PCLPointCloud2& cloud, const pcl::PCLPointField& field)
   return values;
 }
 
-/** \brief The origin to shift to: zeros where floats resolve the cloud as it is. Points that are not finite
- * do not count. */
+Eigen::Matrix3Xd
+pointsOf (const std::array<Axis, 3>& axes)
+{
+  Eigen::Matrix3Xd points (3, static_cast<Eigen::Index> (axes[0].size ()));
+  for (Eigen::Index i = 0; i < points.cols (); ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      points (axis, i) = axes[axis][static_cast<std::size_t> (i)];
+  return points;
+}
+
+/** \brief The origin to shift to: zeros where floats resolve the bulk of the cloud as it is. */
 std::array<double, 3>
 originOf (const std::array<Axis, 3>& axes)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity ();
-  std::array<double, 3> low{infinity, infinity, infinity};
-  std::array<double, 3> high{-infinity, -infinity, -infinity};
-  for (std::size_t i = 0; i < axes[0].size (); ++i) {
-    const std::array<double, 3> point{axes[0][i], axes[1][i], axes[2][i]};
-    if (!std::all_of (point.begin (), point.end (), [] (double value) { return std::isfinite (value); }))
-      continue;
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min (low[axis], point[axis]);
-      high[axis] = std::max (high[axis], point[axis]);
-    }
-  }
-  double extent = 0;
-  double largest = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    extent = std::max (extent, high[axis] - low[axis]);
-    largest = std::max ({largest, std::abs (low[axis]), std::abs (high[axis])});
-  }
-  // Within 16 extents of zero a float still resolves a millionth of the extent. (No finite point: no extent.)
+  const Eigen::AlignedBox3d bulk = bulkBox (pointsOf (axes));
+  if (bulk.isEmpty ())
+    return {};
+  const double extent = bulk.sizes ().maxCoeff ();
+  const double largest = std::max (bulk.min ().cwiseAbs ().maxCoeff (), bulk.max ().cwiseAbs ().maxCoeff ());
+  // Within 16 extents of zero a float still resolves a millionth of the extent.
   if (!(extent > 0) || !(largest > 16 * extent))
     return {};
   const double step = std::pow (10.0, std::ceil (std::log10 (extent)));
   std::array<double, 3> origin{};
   for (int axis = 0; axis < 3; ++axis)
-    origin[axis] = std::round ((low[axis] + (high[axis] - low[axis]) / 2) / step) * step;
+    // Adding zero turns -0 into 0.
+    origin[axis] = std::round ((bulk.min ()[axis] + bulk.sizes ()[axis] / 2) / step) * step + 0.0;
   return origin;
+}
+
+/** \brief Makes points at (0, 0, 0) NaN if there are two or more.
+ * \return how many there were */
+std::size_t
+dropZeros (std::array<Axis, 3>& axes)
+{
+  std::vector<std::size_t> zeros;
+  for (std::size_t i = 0; i < axes[0].size (); ++i)
+    if (axes[0][i] == 0 && axes[1][i] == 0 && axes[2][i] == 0)
+      zeros.push_back (i);
+  if (zeros.size () < 2)
+    return 0;
+  for (const std::size_t i : zeros)
+    for (Axis& axis : axes)
+      axis[i] = std::numeric_limits<double>::quiet_NaN ();
+  return zeros.size ();
 }
 
 /** \brief Replaces the field by a FLOAT32 one in its place. */
@@ -89,7 +104,7 @@ replaceAxis (pcl::PCLPointCloud2& cloud, char axis, const Axis& values, double o
 
 } // namespace
 
-std::array<double, 3>
+CoordinateShift
 makeCoordinatesFloat (pcl::PCLPointCloud2& cloud, const std::string& file)
 {
   std::array<Axis, 3> axes;
@@ -100,10 +115,13 @@ makeCoordinatesFloat (pcl::PCLPointCloud2& cloud, const std::string& file)
     return {};
   for (int i = 0; i < 3; ++i)
     axes[i] = valuesOf (cloud, axisField (cloud, "xyz"[i], file));
-  const std::array<double, 3> origin = originOf (axes);
+  CoordinateShift shift;
+  shift.origin = originOf (axes);
+  if (shift.origin != std::array<double, 3>{})
+    shift.no_measurement = dropZeros (axes);
   for (int i = 0; i < 3; ++i)
-    replaceAxis (cloud, "xyz"[i], axes[i], origin[i], file);
-  return origin;
+    replaceAxis (cloud, "xyz"[i], axes[i], shift.origin[i], file);
+  return shift;
 }
 
 } // namespace pcl::manifold::apps

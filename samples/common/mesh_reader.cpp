@@ -55,7 +55,7 @@ readMesh (const std::string& file, const InputCloud& cloud)
     throw AppError (file, error);
   if (mesh.complex.triangles.empty () && mesh.complex.tetrahedra.empty ())
     throw AppError (file, "holds no face");
-  std::array<double, 3> offset = makeCoordinatesFloat (mesh.cloud, file);
+  std::array<double, 3> offset = makeCoordinatesFloat (mesh.cloud, file).origin;
   if (offset != std::array<double, 3>{}) {
     for (int axis = 0; axis < 3; ++axis)
       offset[axis] = cloud.origin[axis] - offset[axis];

@@ -4,6 +4,7 @@
 
 #include <pcl/conversions.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace pcl::manifold::apps {
@@ -66,13 +67,38 @@ printNotes (const InputCloud& input, bool quiet)
       std::cerr << input.file << ": " << note << "\n";
 }
 
-void
-describeInput (const InputCloud& input, const SampleSet& samples, Report& report, Table& table)
+PointCounts
+countsOf (const InputCloud& input, const SampleSet& samples)
 {
-  describeInput (
-    input,
-    {samples.non_finite, samples.duplicates, samples.thinned, static_cast<std::size_t> (samples.size ())},
-    report, table);
+  PointCounts counts;
+  counts.dropped = samples.non_finite - input.no_measurement; // these are NaN by now
+  counts.no_measurement = samples.no_measurement + input.no_measurement;
+  counts.duplicates = samples.duplicates;
+  counts.thinned = samples.thinned;
+  counts.samples = static_cast<std::size_t> (samples.size ());
+  return counts;
+}
+
+void
+noteLeftOut (const InputCloud& input, const PointCounts& counts, bool quiet)
+{
+  if (!quiet && counts.no_measurement > 0)
+    std::cerr << input.file << ": " << counts.no_measurement
+              << " points at one place far from all others left out: no measurement\n";
+}
+
+void
+describeContradiction (const InputCloud& input, std::size_t contradicted, const PointCounts& counts,
+                       const SampleOptions& options, Report& report)
+{
+  constexpr int K = 8; // made one surface of most such clouds
+  report.result ("contradicted", Json::UInt64 (contradicted));
+  if (!options.common.quiet && 2 * contradicted > counts.samples)
+    std::cerr
+      << input.file << ": " << 100 * contradicted / counts.samples
+      << " % of the samples look like ones of curves, but others lie beside these: points of a surface "
+         "in rows, or noisy ones. Try -k "
+      << std::max (K, 2 * options.k) << ", or for surfaces pcl_fixed_point_reconstruction\n";
 }
 
 void
@@ -81,6 +107,7 @@ describeInput (const InputCloud& input, const PointCounts& counts, Report& repor
   report.input ("file", input.file);
   report.input ("points", Json::UInt64 (input.size ()));
   report.input ("dropped", Json::UInt64 (counts.dropped));
+  report.input ("no_measurement", Json::UInt64 (counts.no_measurement));
   report.input ("duplicates", Json::UInt64 (counts.duplicates));
   report.input ("thinned", Json::UInt64 (counts.thinned));
   report.input ("samples", Json::UInt64 (counts.samples));
@@ -91,6 +118,8 @@ describeInput (const InputCloud& input, const PointCounts& counts, Report& repor
   table.row ("points", input.size ());
   if (counts.dropped > 0)
     table.row ("dropped, not finite", counts.dropped);
+  if (counts.no_measurement > 0)
+    table.row ("dropped, no measurement", counts.no_measurement);
   if (counts.duplicates > 0)
     table.row ("duplicates", counts.duplicates);
   table.row ("samples", counts.samples);

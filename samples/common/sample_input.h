@@ -67,15 +67,26 @@ void printNotes (const InputCloud& input, bool quiet);
 /** \brief What became of the points of a cloud. */
 struct PointCounts
 {
-  std::size_t dropped = 0;    ///< not finite
-  std::size_t duplicates = 0; ///< of other points
-  std::size_t thinned = 0;    ///< left out by thinning
-  std::size_t samples = 0;    ///< all others
+  std::size_t dropped = 0;        ///< not finite
+  std::size_t no_measurement = 0; ///< stored at one place, most often (0, 0, 0), by the sensor's driver
+  std::size_t duplicates = 0;     ///< of other points
+  std::size_t thinned = 0;        ///< left out by thinning
+  std::size_t samples = 0;        ///< all others
 };
+
+/** \brief The counts of a cloud from those of its sample set. */
+PointCounts countsOf (const InputCloud& input, const SampleSet& samples);
+
+/** \brief Says on standard error what was left out that a user would not expect to be. */
+void noteLeftOut (const InputCloud& input, const PointCounts& counts, bool quiet);
+
+/** \brief Reports how many samples of curves lie beside others, and says on standard error what helps where
+ * that is most of all. */
+void describeContradiction (const InputCloud& input, std::size_t contradicted, const PointCounts& counts,
+                            const SampleOptions& options, Report& report);
 
 /** \brief Reports and tabulates what became of the points of a cloud, and the stages of a computation. */
 void describeInput (const InputCloud& input, const PointCounts& counts, Report& report, Table& table);
-void describeInput (const InputCloud& input, const SampleSet& samples, Report& report, Table& table);
 void describeStages (const std::vector<Stage>& stages, Report& report, Table& table);
 
 } // namespace pcl::manifold::apps

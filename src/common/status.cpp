@@ -20,6 +20,8 @@ pcl::manifold::toString (Status status)
       return "INPUT_TOO_COARSE";
     case Status::INPUT_OUT_OF_RANGE:
       return "INPUT_OUT_OF_RANGE";
+    case Status::TOO_MANY_POINTS:
+      return "TOO_MANY_POINTS";
     case Status::CANCELLED:
       return "CANCELLED";
     case Status::OUT_OF_MEMORY:

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <stdexcept>
 
 namespace pcl {
 namespace manifold {
@@ -35,6 +36,8 @@ public:
   SideRows (const std::vector<Triangle>& triangles, std::size_t vertices)
     : begin_ (vertices + 1), sides_ (3 * triangles.size ())
   {
+    if (sides_.size () > UINT32_MAX)
+      throw std::length_error ("too many triangles to number their sides");
     std::vector<std::atomic<std::uint32_t>> next (vertices);
     parallelFor (triangles.size (), [&] (std::size_t f) {
       for (int i = 0; i < 3; ++i)

@@ -61,8 +61,9 @@ pointsWithIndices (const SampleSet& samples)
 // Affine dimension 3: every cell, with INFINITE_VERTEX for CGAL's infinite vertex.
 template <typename T>
 void
-copyCells (T& triangulation, FlatCells& flat)
+copyCells (T& triangulation, std::uint64_t most_cells, FlatCells& flat)
 {
+  requireIndices (triangulation.tds ().number_of_cells (), "Delaunay cells", most_cells);
   std::vector<typename T::Cell_handle> handles;
   handles.reserve (triangulation.tds ().number_of_cells ());
   for (auto cell = triangulation.all_cells_begin (); cell != triangulation.all_cells_end (); ++cell) {
@@ -84,8 +85,10 @@ copyCells (T& triangulation, FlatCells& flat)
 // Affine dimension 2: an infinite cell on either side of every triangle.
 template <typename T>
 void
-copyTriangles (T& triangulation, FlatCells& flat)
+copyTriangles (T& triangulation, std::uint64_t most_cells, FlatCells& flat)
 {
+  requireIndices (2 * static_cast<std::uint64_t> (triangulation.number_of_finite_facets ()), "Delaunay cells",
+                  most_cells);
   std::vector<typename T::Cell_handle> handles;
   for (auto facet = triangulation.finite_facets_begin (); facet != triangulation.finite_facets_end ();
        ++facet) {
@@ -134,13 +137,13 @@ samplesAlongLine (const T& triangulation)
 
 template <typename T>
 void
-copyTriangulation (T& triangulation, FlatCells& flat)
+copyTriangulation (T& triangulation, std::uint64_t most_cells, FlatCells& flat)
 {
   flat.affine_dimension = std::max (triangulation.dimension (), 0);
   if (flat.affine_dimension == 3)
-    copyCells (triangulation, flat);
+    copyCells (triangulation, most_cells, flat);
   else if (flat.affine_dimension == 2)
-    copyTriangles (triangulation, flat);
+    copyTriangles (triangulation, most_cells, flat);
   else
     flat.line = samplesAlongLine (triangulation);
 }
@@ -289,11 +292,13 @@ parallelPays (const Points& points)
 } // namespace
 
 FlatCells
-triangulate (const SampleSet& samples, bool parallel)
+triangulate (const SampleSet& samples, bool parallel, std::uint64_t most_cells)
 {
   FlatCells flat;
   const Points points = pointsWithIndices (samples);
-  const auto copy = [&flat] (auto& triangulation) { copyTriangulation (triangulation, flat); };
+  const auto copy = [&flat, most_cells] (auto& triangulation) {
+    copyTriangulation (triangulation, most_cells, flat);
+  };
   if (parallel)
     insertInParallel (points, copy);
   else

@@ -162,7 +162,7 @@ collectIncidentCells (DelaunayComplex& complex)
         if (vertex >= begin && vertex < end)
           body (vertex, static_cast<std::int32_t> (i));
   };
-  std::vector<std::int32_t>& offsets = complex.incident_offsets;
+  std::vector<std::int64_t>& offsets = complex.incident_offsets;
   offsets.assign (samples + 1, 0);
   parallelFor (
     pieces,
@@ -170,7 +170,7 @@ collectIncidentCells (DelaunayComplex& complex)
     1);
   std::partial_sum (offsets.begin (), offsets.end (), offsets.begin ());
   assignLarge (complex.incident_cells, static_cast<std::size_t> (offsets.back ()));
-  std::vector<std::int32_t> next (offsets.begin (), offsets.end () - 1);
+  std::vector<std::int64_t> next (offsets.begin (), offsets.end () - 1);
   parallelFor (
     pieces,
     [&] (std::size_t piece) {

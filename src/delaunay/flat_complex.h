@@ -2,6 +2,7 @@
 
 #include <pcl/manifold/delaunay_complex.h>
 
+#include "common/index_limit.h"
 #include "common/parallel.h"
 
 #include <cstdint>
@@ -22,8 +23,9 @@ struct FlatCells
 };
 
 /** The Delaunay triangulation by CGAL; the cells are the same, in another order, whether its points are
- * inserted in parallel or not. */
-FlatCells triangulate (const SampleSet& samples, bool parallel);
+ * inserted in parallel or not.
+ * \throws std::length_error if it has more cells than most_cells */
+FlatCells triangulate (const SampleSet& samples, bool parallel, std::uint64_t most_cells = MOST_INDICES);
 
 /** Brings the cells into their canonical order and adds the circumcentres and the cells at each sample. */
 std::shared_ptr<const DelaunayComplex> makeDelaunayComplex (const std::shared_ptr<const SampleSet>& samples,

@@ -18,6 +18,7 @@ namespace {
 // within a step their order is that of cells and samples.
 constexpr std::uint32_t STEPS = 4097;
 constexpr std::uint16_t NO_WISH = STEPS;
+static_assert (STEPS < 1U << (64 - WishKey::WISH_BITS), "a key has room for every step");
 // Poles this nearly opposite (8 degrees) of each other are certain to be on two sides: that comes before
 // everything else, or the two sides of a one-sided surface, being one and the same, would get one colour.
 constexpr double CERTAIN_OPPOSITION = 0.99;
@@ -127,21 +128,22 @@ public:
     });
   }
 
-  std::uint32_t size () const { return static_cast<std::uint32_t> (steps_.size ()); }
+  std::uint64_t size () const { return steps_.size (); }
 
-  bool valid (std::uint32_t wish) const { return steps_[wish] != NO_WISH; }
+  bool valid (Wish wish) const { return steps_[wish] != NO_WISH; }
 
-  std::uint32_t step (std::uint32_t wish) const { return steps_[wish]; }
+  std::uint32_t step (Wish wish) const { return steps_[wish]; }
 
-  bool opposite (std::uint32_t wish) const { return wish >= 4 * cells_; }
+  bool opposite (Wish wish) const { return wish >= 4 * cells_; }
 
-  std::pair<std::uint32_t, std::uint32_t> ends (std::uint32_t wish) const
+  std::pair<std::uint32_t, std::uint32_t> ends (Wish wish) const
   {
     if (opposite (wish)) {
       const Poles& poles = poles_[wish - 4 * cells_];
       return {static_cast<std::uint32_t> (poles.outer), static_cast<std::uint32_t> (poles.inner)};
     }
-    return {wish >> 2, static_cast<std::uint32_t> (complex_.neighbors[wish >> 2][wish & 3])};
+    return {static_cast<std::uint32_t> (wish >> 2),
+            static_cast<std::uint32_t> (complex_.neighbors[wish >> 2][wish & 3])};
   }
 
   /** The facets between cells that share nearly all of their circumspheres and still got two colours, the
@@ -149,14 +151,14 @@ public:
   std::vector<Facet> torn (const std::vector<std::uint8_t>& colors) const
   {
     const std::uint16_t end = stepOf (FREE_SPACE_DEPTH);
-    std::vector<std::uint32_t> wishes;
-    for (std::uint32_t wish = 0; wish < 4 * cells_; ++wish)
+    std::vector<Wish> wishes;
+    for (Wish wish = 0; wish < 4 * cells_; ++wish)
       if (steps_[wish] < end && colors[wish >> 2] != colors[complex_.neighbors[wish >> 2][wish & 3]])
         wishes.push_back (wish);
     std::stable_sort (wishes.begin (), wishes.end (),
-                      [this] (std::uint32_t a, std::uint32_t b) { return steps_[a] < steps_[b]; });
+                      [this] (Wish a, Wish b) { return steps_[a] < steps_[b]; });
     std::vector<Facet> facets;
-    for (const std::uint32_t wish : wishes)
+    for (const Wish wish : wishes)
       facets.push_back ({static_cast<std::int32_t> (wish >> 2), static_cast<int> (wish & 3)});
     return facets;
   }

@@ -12,6 +12,23 @@
 namespace pcl {
 namespace manifold {
 
+/** The number of a wish: there may be five of them for every cell. */
+using Wish = std::uint64_t;
+
+/** Steps and wishes in one number each, in the order in which they are granted: by their steps, and within a
+ * step by their numbers. Wishes are below 2^48, steps below 2^16. */
+struct WishKey
+{
+  static constexpr int WISH_BITS = 48;
+
+  static constexpr std::uint64_t of (std::uint32_t step, Wish wish)
+  {
+    return static_cast<std::uint64_t> (step) << WISH_BITS | wish;
+  }
+
+  static constexpr Wish wishOf (std::uint64_t key) { return key & ((Wish (1) << WISH_BITS) - 1); }
+};
+
 /** Joins sets of a ParityForest by a list of wishes as if these were granted one after the other in the order
  * of their keys, as far as those before allow: Kruskal's maximum spanning forest.
  *
@@ -19,7 +36,7 @@ namespace manifold {
  * every set grants the first wish of its own, in parallel. What little is left is sorted.
  *
  * Wishes must have
- *   std::uint32_t size () const
+ *   std::uint64_t size () const
  *   bool valid (wish) const                  false: there is no such wish
  *   std::uint32_t step (wish) const          the order of wishes; within a step they go by their number
  *   std::pair<uint32, uint32> ends (wish) const
@@ -40,7 +57,7 @@ public:
   {
     forest_.compress ();
     parallelFor (wishes_.size (), [this] (std::size_t i) {
-      const auto wish = static_cast<std::uint32_t> (i);
+      const auto wish = static_cast<Wish> (i);
       if (wishes_.valid (wish)) {
         const auto [a, b] = wishes_.ends (wish);
         look ({wish, a, b});
@@ -55,7 +72,7 @@ public:
     grantFirst (roots);
     // Half of the wishes and more join nothing from now on.
     std::vector<Open> open = gather<Open> (wishes_.size (), [this] (std::size_t i, const auto& append) {
-      const auto wish = static_cast<std::uint32_t> (i);
+      const auto wish = static_cast<Wish> (i);
       if (!wishes_.valid (wish))
         return;
       const auto [a, b] = wishes_.ends (wish);
@@ -83,7 +100,7 @@ private:
   // A wish that may still join two sets, and elements of these: their roots, as of the round before.
   struct Open
   {
-    std::uint32_t wish;
+    Wish wish;
     std::uint32_t a;
     std::uint32_t b;
   };
@@ -91,10 +108,7 @@ private:
   static constexpr std::uint64_t NONE = UINT64_MAX;
   static constexpr std::size_t PIECE = 32768;
 
-  std::uint64_t keyOf (std::uint32_t wish) const
-  {
-    return static_cast<std::uint64_t> (wishes_.step (wish)) << 32 | wish;
-  }
+  std::uint64_t keyOf (Wish wish) const { return WishKey::of (wishes_.step (wish), wish); }
 
   // What visit (i, append) appends for every i below n, in their order.
   template <typename Item, typename Visit>
@@ -161,7 +175,7 @@ private:
     const std::uint64_t key = first_[root].load (std::memory_order_relaxed);
     if (key == NONE)
       return root << 1;
-    const auto wish = static_cast<std::uint32_t> (key);
+    const Wish wish = WishKey::wishOf (key);
     const auto [a, b] = wishes_.ends (wish);
     const auto [root_a, parity_a] = forest_.look (a);
     const auto [root_b, parity_b] = forest_.look (b);

@@ -37,19 +37,19 @@ struct Key
 } // namespace
 
 std::vector<std::int32_t>
-spaceFillingOrder (const Eigen::Matrix3Xd& points)
+spaceFillingOrder (const Eigen::Matrix3Xd& points, const Eigen::AlignedBox3d& box)
 {
   const auto n = static_cast<std::size_t> (points.cols ());
   if (n == 0)
     return {};
-  const Eigen::Vector3d low = points.rowwise ().minCoeff ();
-  const double extent = (points.rowwise ().maxCoeff () - low).maxCoeff ();
+  const double extent = box.sizes ().maxCoeff ();
   const double cells = extent > 0.0 ? (std::ldexp (1.0, BITS_PER_AXIS) - 1.0) / extent : 0.0;
 
   std::vector<Key> keys;
   assignLarge (keys, n);
   parallelFor (n, [&] (std::size_t i) {
-    const Eigen::Vector3d cell = (points.col (i) - low) * cells;
+    const Eigen::Vector3d inside = points.col (i).cwiseMax (box.min ()).cwiseMin (box.max ());
+    const Eigen::Vector3d cell = (inside - box.min ()) * cells;
     keys[i].code = spread (static_cast<std::uint64_t> (cell.x ())) |
                    spread (static_cast<std::uint64_t> (cell.y ())) << 1 |
                    spread (static_cast<std::uint64_t> (cell.z ())) << 2;

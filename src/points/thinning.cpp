@@ -1,5 +1,7 @@
 #include "points/thinning.h"
 
+#include <pcl/manifold/bulk_box.h>
+
 #include "points/nearest_neighbors.h"
 
 #include <boost/random/mersenne_twister.hpp>
@@ -33,8 +35,10 @@ randomOrder (std::size_t n)
   return order;
 }
 
-// The smallest cell of the grid in a share of the largest coordinate.
+// The smallest cell of the grid in a share of the largest coordinate of the bulk, and the largest number of
+// one. What is farther away is in the last cell of its row, no farther from its neighbours than it was.
 constexpr double MIN_CELL = 0x1p-40;
+constexpr double LAST_CELL = 0x1p42;
 
 using Cell = std::array<std::int64_t, 3>;
 
@@ -83,11 +87,14 @@ thinBySpacing (const Eigen::Matrix3Xd& points, double spacing)
   std::vector<std::uint8_t> kept (n, 0);
   // A cell holds one kept point at the most; very small spacings have larger cells, so that their numbers are
   // exact.
-  const double cell_size = std::max (spacing / std::sqrt (3.0), points.cwiseAbs ().maxCoeff () * MIN_CELL);
+  const Eigen::AlignedBox3d bulk = bulkBox (points);
+  const double largest = std::max (bulk.min ().cwiseAbs ().maxCoeff (), bulk.max ().cwiseAbs ().maxCoeff ());
+  const double cell_size = std::max (spacing / std::sqrt (3.0), largest * MIN_CELL);
   const auto cellOf = [&] (std::int32_t point) {
     Cell cell;
     for (int axis = 0; axis < 3; ++axis)
-      cell[axis] = static_cast<std::int64_t> (std::floor (points (axis, point) / cell_size));
+      cell[axis] = static_cast<std::int64_t> (
+        std::floor (std::clamp (points (axis, point) / cell_size, -LAST_CELL, LAST_CELL)));
     return cell;
   };
   std::unordered_map<Cell, std::int32_t, CellHash> grid; // the last kept point of each cell

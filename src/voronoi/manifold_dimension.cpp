@@ -1,5 +1,6 @@
 #include "common/parallel.h"
 #include "complex/disjoint_sets.h"
+#include "voronoi/contradiction.h"
 #include "voronoi/dimension.h"
 #include "voronoi/nearest_samples.h"
 #include "voronoi/voronoi_cell.h"
@@ -162,6 +163,7 @@ decideManifoldDimensions (SampleDimensions& dimensions)
     return;
   }
   const std::vector<std::uint8_t> labels = withoutFalseSolids (dimensions);
+  std::vector<std::uint8_t> contradicted (labels.size (), 0);
   forEachSample (complex, [&] (std::int32_t sample, NearestSamples& nearest) {
     dimensions.manifold_dimension[sample] = labels[sample];
     if (labels[sample] != 1 && isClear (complex, labels, sample))
@@ -172,9 +174,15 @@ decideManifoldDimensions (SampleDimensions& dimensions)
       ++count[labels[q]];
     const Decision decision = decide (labels[sample], count, static_cast<int> (around.size ()));
     dimensions.manifold_dimension[sample] = static_cast<std::uint8_t> (decision.dimension);
-    dimensions.boundary[sample] =
-      decision.boundary || (decision.dimension == 1 && isEnd (VoronoiCell (complex, sample), around)) ? 1 : 0;
+    dimensions.boundary[sample] = decision.boundary ? 1 : 0;
+    if (decision.dimension != 1)
+      return;
+    const VoronoiCell cell (complex, sample);
+    dimensions.boundary[sample] = isEnd (cell, around) ? 1 : 0;
+    contradicted[sample] = isContradicted (dimensions, cell, around) ? 1 : 0;
   });
+  dimensions.contradicted =
+    static_cast<std::size_t> (std::count (contradicted.begin (), contradicted.end (), 1));
   if (std::find (labels.begin (), labels.end (), 3) != labels.end ())
     for (int pass = 0; pass < SKIN_PASSES; ++pass)
       completeSkins (dimensions);

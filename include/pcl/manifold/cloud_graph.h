@@ -27,11 +27,13 @@ struct CloudGraph
 
   /// Per vertex the index of its point in the user's cloud: the first of its exact duplicates.
   pcl::Indices input_index;
-  /// Per entry of the user's indices its vertex; -1 for points that are not finite.
+  /// Per entry of the user's indices its vertex; -1 for points that are not finite or no
+  /// measurement.
   std::vector<pcl::index_t> vertex_of;
 
-  std::size_t non_finite = 0; ///< points dropped because a coordinate is NaN or infinite
-  std::size_t duplicates = 0; ///< points merged with an equal one
+  std::size_t non_finite = 0;     ///< points dropped because a coordinate is NaN or infinite
+  std::size_t no_measurement = 0; ///< points dropped because they stand for none, see SampleSet
+  std::size_t duplicates = 0;     ///< points merged with an equal one
 };
 
 /** \brief A search of the user's own, as functions. Neither is called by two threads at a time.

@@ -5,6 +5,7 @@
 #include <pcl/manifold/reconstruct_shape.h>
 #include <pcl/manifold/simplicial_complex.h>
 
+#include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -73,6 +74,12 @@ public:
   /** \brief The dimensions that the last reconstruct () worked on.
    * \return null before, and where it failed */
   std::shared_ptr<const manifold::SampleDimensions> getSampleDimensions () const { return dimensions_; }
+
+  /** \brief How many samples were taken for ones of a curve although others lie beside it. If most, the points
+   * are those of a surface in rows that are nearer along than across, or they are noisy, and thinning with
+   * setThinningNeighbors (8) or so makes them even.
+   * \return of the samples; 0 before reconstruct () */
+  std::size_t getContradictedCount () const { return dimensions_ ? dimensions_->contradicted : 0; }
 
   /** \brief The triangulation that the last reconstruct () worked on.
    * \return null before, and where it failed */

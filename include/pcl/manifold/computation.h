@@ -6,6 +6,9 @@
 #include <pcl/manifold/stage_log.h>
 #include <pcl/manifold/status.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -70,10 +73,14 @@ protected:
   /** \brief Runs a part of a computation on the input cloud and its indices, unless there is none or an index
    * names no point.
    * \param[in] body answers with a Status
-   * \return NO_INPUT, PARAMETER_OUT_OF_RANGE, OUT_OF_MEMORY, or what \a body answers */
+   * \return NO_INPUT, TOO_MANY_POINTS, PARAMETER_OUT_OF_RANGE, OUT_OF_MEMORY, or what \a body answers */
   template <typename Body>
   Status withInput (const Body& body)
   {
+    // The base class would number the points with indices that overflow.
+    if (this->input_ &&
+        this->input_->size () > static_cast<std::size_t> (std::numeric_limits<std::int32_t>::max ()))
+      return Status::TOO_MANY_POINTS;
     // initCompute () takes an empty cloud, and refuses nothing but a missing one.
     if (!this->input_ || !this->initCompute ())
       return Status::NO_INPUT;

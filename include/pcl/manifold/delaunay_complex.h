@@ -44,8 +44,9 @@ struct DelaunayComplex
   /// of the hull: the direction of the unbounded Voronoi edge.
   Eigen::Matrix3Xd centers;
 
-  std::vector<std::int32_t> incident_offsets; ///< samples + 1; rows of incident_cells
-  std::vector<std::int32_t> incident_cells;   ///< the cells at each sample in ascending order
+  /// Samples + 1; rows of incident_cells. These are four times as many as cells: too many for 32 bits.
+  std::vector<std::int64_t> incident_offsets;
+  std::vector<std::int32_t> incident_cells; ///< the cells at each sample in ascending order
 
   std::vector<std::int32_t> line; ///< affine dimension 1: the samples in their order along the line
 
@@ -60,7 +61,8 @@ struct DelaunayComplex
  * \param[in] samples distinct finite points
  * \param[in] threads for the insertion of the points; what follows runs in the current arena. More than one
  * where that pays: small sets are inserted by one thread.
- * \return never null. Throws where memory runs out
+ * \return never null
+ * \throws std::length_error if there are more cells than numbers of 32 bits can tell apart; std::bad_alloc
  *
  * O (n) tetrahedra and time on the samples of surfaces met in practice, O (n^2) at worst.
  * \ingroup manifold */

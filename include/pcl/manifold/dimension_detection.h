@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -31,9 +32,9 @@ namespace pcl {
  * neighbours which manifold a point belongs to; the paper labels the rim of a surface 1 and the skin of a
  * solid 2.
  *
- * Points that are not finite get the label 0. On failure the output is empty and getStatus () says why:
- * NO_INPUT, PARAMETER_OUT_OF_RANGE, INPUT_TOO_COARSE, INPUT_OUT_OF_RANGE, CANCELLED, OUT_OF_MEMORY,
- * INTERNAL_ERROR.
+ * Points that are not finite, and rays without measurement (see SampleSet), get the label 0. On failure the
+ * output is empty and getStatus () says why: NO_INPUT, PARAMETER_OUT_OF_RANGE, INPUT_TOO_COARSE,
+ * INPUT_OUT_OF_RANGE, TOO_MANY_POINTS, CANCELLED, OUT_OF_MEMORY, INTERNAL_ERROR.
  *
  * Time and memory are those of a 3D Delaunay triangulation of the samples, O (n) on surfaces met in practice
  * and O (n^2) at worst. The result is the same, bit for bit, for any number of threads and for any order of
@@ -62,8 +63,9 @@ public:
 
   /** \brief The label of every point, as published.
    * \param[out] output one label a point of the cloud, or of those that setIndices () names, in their order: 1,
-   * 2, 3, or 0 for points that are not finite. It has the header and the sensor's pose of the cloud, and its
-   * width and height if every point has a label in its place. Empty on failure, see getStatus () */
+   * 2, 3, or 0 for points that are not finite or no measurement. It has the header and the sensor's pose of
+   * the cloud, and its width and height if every point has a label in its place. Empty on failure, see
+   * getStatus () */
   void compute (pcl::PointCloud<pcl::Label>& output);
 
   // What the last compute () found; nothing unless its status was OK. Points that were thinned out have the
@@ -71,7 +73,7 @@ public:
 
   /** \brief The dimension of the manifold that each point belongs to. Of this library, not in the paper.
    * \return per label: 2 also at the rim of a surface, 3 also at the skin of a solid; 0 for points that are not
-   * finite */
+   * finite or no measurement */
   std::vector<std::uint8_t> getManifoldDimension () const;
 
   /** \brief Whether each point is on the boundary of its manifold: rim, skin or end of a curve. Of this library,
@@ -102,6 +104,12 @@ public:
   /** \brief Everything that was found, per sample, to be handed to CoconeShape.
    * \return null before compute (), and where it failed */
   std::shared_ptr<const manifold::SampleDimensions> getSampleDimensions () const { return result_; }
+
+  /** \brief How many samples were taken for ones of a curve although others lie beside it. If most, the points
+   * are those of a surface in rows that are nearer along than across, or they are noisy, and thinning with
+   * setThinningNeighbors (8) or so makes them even.
+   * \return of the samples; 0 before compute () */
+  std::size_t getContradictedCount () const { return result_ ? result_->contradicted : 0; }
 
 protected:
   using PCLBase<PointT>::input_;

@@ -52,10 +52,10 @@ struct FixedPointCounts
  *
  * On failure the output is empty and getStatus () says why: NO_INPUT, TOO_FEW_POINTS for fewer than three
  * distinct points, DIMENSION_TOO_LOW for points on a line and where no surface was found,
- * PARAMETER_OUT_OF_RANGE, INPUT_TOO_COARSE, INPUT_OUT_OF_RANGE, CANCELLED, OUT_OF_MEMORY, INTERNAL_ERROR
- * (also where the progress callback throws). Time and memory are those of a 3D Delaunay triangulation of the
- * points. The result is the same, bit for bit, for any number of threads and, up to renumbering, for any
- * order of the points.
+ * PARAMETER_OUT_OF_RANGE, INPUT_TOO_COARSE, INPUT_OUT_OF_RANGE, TOO_MANY_POINTS, CANCELLED, OUT_OF_MEMORY,
+ * INTERNAL_ERROR (also where the progress callback throws). Time and memory are those of a 3D Delaunay
+ * triangulation of the points. The result is the same, bit for bit, for any number of threads and, up to
+ * renumbering, for any order of the points.
  *
  * \note The library is distributed under GPL-3, as CGAL's triangulations are.
  * \ingroup manifold */

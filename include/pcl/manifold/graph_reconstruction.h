@@ -10,6 +10,7 @@
 #include <pcl/manifold/status.h>
 #include <pcl/point_representation.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -37,13 +38,14 @@ namespace pcl {
  * points. By default the points are sorted along a space-filling curve and searched in bulk, in parallel.
  *
  * The points should sample a surface evenly, as dense as the thinnest part asks: parts nearer to each other
- * than a few spacings grow together. Points that are not finite, and all but one of exact duplicates, are
- * left out. What comes out is consistently oriented where it is orientable; in three dimensions outwards.
+ * than a few spacings grow together. Points that are not finite, rays without measurement (see SampleSet),
+ * and all but one of exact duplicates, are left out. What comes out is consistently oriented where it is
+ * orientable; in three dimensions outwards.
  *
  * On failure the output is empty and getStatus () says why: NO_INPUT, TOO_FEW_POINTS for fewer than three
  * distinct points, DIMENSION_TOO_LOW where no face was found (the points lie along a curve, or are so few
  * that fewer than three landmarks are left), PARAMETER_OUT_OF_RANGE, INPUT_TOO_COARSE, INPUT_OUT_OF_RANGE,
- * CANCELLED, OUT_OF_MEMORY, INTERNAL_ERROR (also where the progress callback throws).
+ * TOO_MANY_POINTS, CANCELLED, OUT_OF_MEMORY, INTERNAL_ERROR (also where the progress callback throws).
  *
  * Time is that of a k nearest neighbour search, O (n log n), and about half of it again; memory about 240
  * bytes a point. The result is the same, bit for bit, for any number of threads and, up to renumbering, for
@@ -198,7 +200,7 @@ public:
 
   /** \brief The landmark of each point.
    * \return per point (of those that setIndices () names, in their order) a position in getLandmarks (); a
-   * duplicate has that of the point that was kept, a point that is not finite -1 */
+   * duplicate has that of the point that was kept, a point that is not finite or no measurement -1 */
   std::vector<pcl::index_t> getTiles () const;
 
   /** \brief Whose tiles touch, and whether that makes them adjacent.
@@ -220,6 +222,10 @@ public:
   /** \brief The points that are vertices of the neighbourhood graph.
    * \return per vertex its index in the input cloud */
   const pcl::Indices& getVertices () const { return cloud_graph_.input_index; }
+
+  /** \brief How many points were left out because they stand for no measurement, see SampleSet.
+   * \return of the last reconstruct () */
+  std::size_t getNoMeasurementCount () const { return cloud_graph_.no_measurement; }
 
 protected:
   using manifold::MeshBase<PointT>::input_;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -25,6 +26,9 @@ struct SampleDimensions
   std::vector<std::uint8_t> manifold_dimension;
   /// Whether the sample is on the boundary of that manifold.
   std::vector<std::uint8_t> boundary;
+  /// Samples that were taken for ones of a curve although others lie beside it: the points of a surface lie
+  /// in rows, or they are noisy.
+  std::size_t contradicted = 0;
   /// How far the ratios of the heights are from rho, in [0, 1]: 0 = on the edge between two answers.
   std::vector<float> confidence;
 

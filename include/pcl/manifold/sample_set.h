@@ -29,11 +29,19 @@ struct Thinning
 /** \brief The distinct finite points of a cloud that a reconstruction works on, in an order that depends on
  * their coordinates only (along a space-filling curve), so that nothing computed from it depends on the order
  * of the input.
+ *
+ * Left out as well are rays that met nothing where these are stored as points: two or more points at exactly
+ * (0, 0, 0) where no others coincide, or more than four times as many as at any other place, farther from all
+ * others but seven than five times the median distance of a point to its nearest one; or, of a cloud that was
+ * moved, 16 and more points at one place, more than 16 times as many as at any other, and farther from all
+ * others but seven than 16 of these distances. One point at (0, 0, 0) is a point, and so is the pole of a
+ * lathe, which is near to the ring beside it.
  * \ingroup manifold */
 struct SampleSet
 {
-  /// Sample coordinates: (input - origin) * scale, which is exact. Scale is a power of two that makes the
-  /// largest extent lie in [1, 2).
+  /// Sample coordinates: (input - origin) * scale, which is exact for floats, and for doubles in the bulk of
+  /// the cloud; strays may be rounded. The origin is in the middle of the bulk where that is far from zero.
+  /// Scale is a power of two that makes the largest extent lie in [1, 2).
   Eigen::Matrix3Xd points;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero (); ///< in the coordinates of the input
   double scale = 1.0;                                ///< a power of two
@@ -42,12 +50,13 @@ struct SampleSet
   pcl::Indices input_index;
 
   /// Per entry of the user's indices its own sample or, where that was thinned out, the nearest one; -1 for
-  /// points that are not finite.
+  /// points that are not finite or no measurement.
   std::vector<std::int32_t> sample_of;
 
-  std::size_t non_finite = 0; ///< input points dropped because a coordinate is NaN or infinite
-  std::size_t duplicates = 0; ///< input points merged with an equal one
-  std::size_t thinned = 0;    ///< distinct points left out by thinning
+  std::size_t non_finite = 0;     ///< input points dropped because a coordinate is NaN or infinite
+  std::size_t no_measurement = 0; ///< input points dropped because they stand for no measurement
+  std::size_t duplicates = 0;     ///< input points merged with an equal one
+  std::size_t thinned = 0;        ///< distinct points left out by thinning
 
   /** \brief The number of samples.
    * \return the columns of points */
@@ -61,8 +70,10 @@ struct SampleSet
  * \param[in] resolution the relative precision of the input's coordinates (2^-24 for float)
  * \param[out] samples the result; empty unless the answer is Status::OK
  * \return NO_INPUT where no point is finite, PARAMETER_OUT_OF_RANGE for a negative or non-finite thinning,
- * INPUT_TOO_COARSE where the typical spacing is no more than a few steps of the coordinates' type far from
- * the origin, INPUT_OUT_OF_RANGE where the extent of the points overflows
+ * INPUT_TOO_COARSE where most points are no more than a few steps of the coordinates' type, there, from their
+ * nearest ones, INPUT_OUT_OF_RANGE where the extent of the points overflows, TOO_MANY_POINTS for more than
+ * 2^31
+ * - 1
  *
  * O (n log n), plus one k-nearest-neighbour search of every point where thinning asks for it.
  * \ingroup manifold */

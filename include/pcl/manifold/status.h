@@ -21,6 +21,7 @@ enum class Status
   PARAMETER_OUT_OF_RANGE, ///< a setter was given a value outside of its documented range
   INPUT_TOO_COARSE,       ///< the coordinates are so large that their type cannot resolve the spacing
   INPUT_OUT_OF_RANGE,     ///< the extent of the points overflows or underflows double arithmetic
+  TOO_MANY_POINTS,        ///< more points or Delaunay cells than indices of 32 bits can tell apart
   CANCELLED,              ///< the progress callback returned false
   OUT_OF_MEMORY,          ///< an allocation failed
   INTERNAL_ERROR          ///< an invariant of the library did not hold; please report it

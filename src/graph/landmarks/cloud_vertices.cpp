@@ -1,5 +1,6 @@
 #include "graph/landmarks/cloud_vertices.h"
 
+#include "common/index_limit.h"
 #include "common/large_pages.h"
 
 #include <pcl/manifold/sample_set.h>
@@ -25,6 +26,7 @@ findInSpace (Eigen::MatrixXd points, const pcl::Indices& indices, double resolut
   cloud.input_index = std::move (samples.input_index);
   cloud.vertex_of = std::move (samples.sample_of);
   cloud.non_finite = samples.non_finite;
+  cloud.no_measurement = samples.no_measurement;
   cloud.duplicates = samples.duplicates;
   return Status::OK;
 }
@@ -32,6 +34,8 @@ findInSpace (Eigen::MatrixXd points, const pcl::Indices& indices, double resolut
 Status
 findInAnyDimension (const Eigen::MatrixXd& points, const pcl::Indices& indices, CloudGraph& cloud)
 {
+  if (!fitsIndices (static_cast<std::uint64_t> (points.cols ())))
+    return Status::TOO_MANY_POINTS;
   std::vector<pcl::index_t> order;
   for (Eigen::Index i = 0; i < points.cols (); ++i)
     if (points.col (i).allFinite ())

@@ -4,6 +4,7 @@
 
 #include <exception>
 #include <new>
+#include <stdexcept>
 
 namespace pcl {
 namespace manifold {
@@ -18,6 +19,8 @@ guarded (const Body& body) noexcept
     return body ();
   } catch (const std::bad_alloc&) {
     return Status::OUT_OF_MEMORY;
+  } catch (const std::length_error&) {
+    return Status::TOO_MANY_POINTS;
   } catch (...) {
     return Status::INTERNAL_ERROR;
   }
