@@ -6,12 +6,15 @@
 #   build     what the libraries and the apps are compiled with
 #   samples   what the apps' pictures need without a display, and real clouds to try them on
 #   test      what the tests, the format check and the packages need
+#   check     what .ci/run needs beside that: fuzzers and clang-tidy
 set -euo pipefail
 
 build=(g++ cmake ninja-build libpcl-dev libcgal-dev libtbb-dev libeigen3-dev libboost-dev
   libboost-program-options-dev libjsoncpp-dev libvtk9-dev)
 samples=(xvfb xauth libgl1-mesa-dri libcgal-demo)
-test=(libgtest-dev clang-format-14 ccache doxygen pkg-config dpkg-dev file git xvfb xauth libgl1-mesa-dri)
+test=(libgtest-dev clang-format-14 ccache doxygen pkg-config dpkg-dev file git xvfb xauth libgl1-mesa-dri
+  libcgal-demo)
+check=(clang-14 clang-tidy-14 libclang-rt-14-dev)
 
 fail () { echo "error: $*" >&2; exit 1; }
 
@@ -21,10 +24,11 @@ for level in "$@"; do
     build) wanted+=("${build[@]}") ;;
     samples) wanted+=("${samples[@]}") ;;
     test) wanted+=("${test[@]}") ;;
-    *) fail "unknown level '$level', there are: build samples test" ;;
+    check) wanted+=("${check[@]}") ;;
+    *) fail "unknown level '$level', there are: build samples test check" ;;
   esac
 done
-[ $# -gt 0 ] || fail "which level? build, samples or test"
+[ $# -gt 0 ] || fail "which level? build, samples, test or check"
 command -v apt-get > /dev/null ||
   fail "this is no Debian (no apt-get); install by hand what corresponds to: ${wanted[*]}"
 

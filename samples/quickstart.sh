@@ -22,33 +22,21 @@ cmake --preset release --log-level=WARNING > /dev/null
 cmake --build --preset release --parallel "$jobs"
 mkdir -p "$out/clouds"
 
-# The clouds of Debian's package libcgal-demo: some images are set up to leave out /usr/share/doc, where it
-# puts them; then they are taken from the package itself.
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-unpack_real_clouds () {
-  local archive=/usr/share/doc/libcgal-dev/data.tar.gz
-  if [ ! -f "$archive" ]; then
-    (cd "$scratch" && apt-get download libcgal-demo && dpkg-deb -x libcgal-demo_*.deb .) > /dev/null 2>&1 ||
-      return 1
-    archive=$scratch$archive
-  fi
-  tar -xzf "$archive" -C "$scratch" data/points_3 data/meshes
-}
 
 say "3/7 clouds"
 "$bin/generate_cloud" scene "$out/clouds/scene.pcd" -spacing 0.05
 "$bin/generate_cloud" lidar-aerial "$out/clouds/lidar-aerial.pcd"
 "$bin/generate_cloud" genus3 "$out/clouds/genus3.pcd" -n 100000 -sampling random
 real=()
-if unpack_real_clouds; then
+if cmake/demo_data.sh "$scratch/data"; then
   real=(points_3/b9_training.ply points_3/kitten.xyz meshes/bunny00.off meshes/knot1.off)
   for cloud in "${real[@]}"; do
     cp "$scratch/data/$cloud" "$out/clouds/"
   done
 else
-  say "no real clouds: this machine leaves out /usr/share/doc/libcgal-dev/data.tar.gz, and its package" \
-    "libcgal-demo could not be downloaded; going on with the generated clouds alone"
+  say "going on with the generated clouds alone"
 fi
 
 # Runs an app on a cloud, with options of the app; the results are named after both. Pictures are drawn on a

@@ -26,12 +26,12 @@ struct DimensionScore
 
 /** \brief Detects the published dimension of every point.
  * \param[in] min_depth points of solids are asked if they lie deeper than this: the skin is labelled 2
- * \param[in] k_search thinning, 0 = off */
+ * \param[in] neighbors thinning, 0 = off */
 inline DimensionScore
-scoreDimensions (const generate::LabelledCloud& cloud, double min_depth, int k_search)
+scoreDimensions (const generate::LabelledCloud& cloud, double min_depth, int neighbors)
 {
   pcl::manifold::DimensionParameters parameters;
-  parameters.thinning.neighbors = k_search;
+  parameters.thinning.neighbors = neighbors;
   pcl::manifold::StageLog log;
   std::shared_ptr<const pcl::manifold::SampleDimensions> dimensions;
   DimensionScore score;

@@ -112,8 +112,10 @@ private:
     const std::size_t size = wide_ ? sizeof (double) : sizeof (float);
     std::vector<CloudColumn> columns;
     for (std::size_t k = 0; k < 3; ++k) {
-      columns.push_back (
-        {std::string (1, static_cast<char> ('x' + k)), wide_ ? Field::FLOAT64 : Field::FLOAT32, 1, {}});
+      columns.push_back ({std::string (1, static_cast<char> ('x' + k)),
+                          static_cast<ScalarType> (wide_ ? Field::FLOAT64 : Field::FLOAT32),
+                          1,
+                          {}});
       std::vector<std::uint8_t>& data = columns.back ().data;
       data.resize (coordinates_.size () / 3 * size);
       for (std::size_t i = 0; i < coordinates_.size () / 3; ++i) {
