@@ -109,7 +109,7 @@ TEST_F (Text, TakesTheCommonestNumberOfColumns)
   EXPECT_EQ (origin.size (), 20u);
   EXPECT_EQ (origin.cloud.fields.size (), 6u);
   ASSERT_EQ (origin.notes.size (), 1u);
-  EXPECT_EQ (origin.notes[0], "1 line skipped that hold no 6 numbers: line 1");
+  EXPECT_EQ (origin.notes[0], "1 line skipped that holds no 6 numbers: line 1");
 
   const InputCloud counted = read ("20\n" + lines (20, "1 2 3 4 5 6 7\n"));
   EXPECT_EQ (counted.size (), 20u);

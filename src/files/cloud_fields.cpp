@@ -12,9 +12,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace pcl {
-namespace manifold {
-
+namespace pcl::manifold {
 namespace {
 
 /** \brief Where red, green, blue and alpha lie among the bytes of a packed colour, 0xAARRGGBB. */
@@ -55,24 +53,10 @@ countOf (const pcl::PCLPointField& field)
   return std::max<std::size_t> (field.count, 1);
 }
 
-/** \brief A field of a new cloud, and the one that it is copied from (nullptr: filled later). */
-struct NewField
-{
-  std::string name;
-  ScalarType type;
-  std::size_t count;
-  const pcl::PCLPointField* source;
-};
-
-NewField
-copyOf (const pcl::PCLPointField& field)
-{
-  return {field.name, field.datatype, countOf (field), &field};
-}
-
-/** \brief A cloud of as many points with these fields, packed. */
+/** \brief The same points without padding; a field of this name has another type, is there if it was not, and is not
+ * filled. No field has an empty name. */
 pcl::PCLPointCloud2
-cloudOf (const std::vector<NewField>& fields, const pcl::PCLPointCloud2& cloud)
+repack (const pcl::PCLPointCloud2& cloud, const std::string& name = {}, ScalarType type = 0)
 {
   pcl::PCLPointCloud2 result;
   result.header = cloud.header;
@@ -80,18 +64,24 @@ cloudOf (const std::vector<NewField>& fields, const pcl::PCLPointCloud2& cloud)
   result.height = cloud.height;
   result.is_bigendian = cloud.is_bigendian;
   result.is_dense = cloud.is_dense;
-  for (const NewField& field : fields)
-    appendField (result, field.name, field.type, field.count);
-  allocatePoints (result);
-  for (std::size_t f = 0; f < fields.size (); ++f) {
-    if (fields[f].source == nullptr)
+  std::vector<std::pair<const pcl::PCLPointField*, std::size_t>> copies; // and where they go
+  for (const pcl::PCLPointField& field : cloud.fields) {
+    if (field.name == "_" || (field.name == name && findField (result, name) != nullptr))
       continue;
-    const std::size_t size = fields[f].count * sizeOf (fields[f].type);
-    std::uint8_t* to = result.data.data () + result.fields[f].offset;
+    if (field.name != name)
+      copies.emplace_back (&field, result.point_step);
+    appendField (result, field.name, field.name == name ? type : field.datatype,
+                 field.name == name ? 1 : countOf (field));
+  }
+  if (!name.empty () && findField (result, name) == nullptr)
+    appendField (result, name, type);
+  allocatePoints (result);
+  for (const auto& [field, offset] : copies) {
+    std::uint8_t* to = result.data.data () + offset;
     for (std::size_t row = 0; row < cloud.height; ++row)
       for (std::size_t column = 0; column < cloud.width; ++column, to += result.point_step)
-        std::memcpy (
-          to, &cloud.data[row * cloud.row_step + column * cloud.point_step + fields[f].source->offset], size);
+        std::memcpy (to, &cloud.data[row * cloud.row_step + column * cloud.point_step + field->offset],
+                     countOf (*field) * sizeOf (field->datatype));
   }
   return result;
 }
@@ -128,11 +118,7 @@ allocatePoints (pcl::PCLPointCloud2& cloud)
 pcl::PCLPointCloud2
 packed (const pcl::PCLPointCloud2& cloud)
 {
-  std::vector<NewField> fields;
-  for (const pcl::PCLPointField& field : cloud.fields)
-    if (field.name != "_")
-      fields.push_back (copyOf (field));
-  return cloudOf (fields, cloud);
+  return repack (cloud);
 }
 
 template <typename T>
@@ -143,17 +129,7 @@ setField (pcl::PCLPointCloud2& cloud, const std::string& name, const std::vector
   if (values.size () != points)
     throw std::invalid_argument ("field '" + name + "' has " + std::to_string (values.size ()) +
                                  " values for " + std::to_string (points) + " points");
-  const NewField added{name, pcl::traits::asEnum_v<T>, 1, nullptr};
-  std::vector<NewField> fields;
-  bool replaced = false;
-  for (const pcl::PCLPointField& field : cloud.fields)
-    if (field.name != name && field.name != "_")
-      fields.push_back (copyOf (field));
-    else if (field.name == name && !std::exchange (replaced, true))
-      fields.push_back (added);
-  if (!replaced)
-    fields.push_back (added);
-  pcl::PCLPointCloud2 result = cloudOf (fields, cloud);
+  pcl::PCLPointCloud2 result = repack (cloud, name, pcl::traits::asEnum_v<T>);
   std::uint8_t* to = result.data.data () + findField (result, name)->offset;
   for (std::size_t i = 0; i < points; ++i)
     std::memcpy (to + i * result.point_step, &values[i], sizeof (T));
@@ -273,5 +249,4 @@ makeCloud (const std::vector<CloudColumn>& columns, std::size_t points)
   return cloud;
 }
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

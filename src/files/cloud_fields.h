@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace manifold {
+namespace pcl::manifold {
 
 /** \brief One field of a cloud as files hold it. A colour that the cloud packs into four bytes is three or
  * four values of one byte, red first. */
@@ -95,5 +94,4 @@ pcl::PCLPointCloud2 packed (const pcl::PCLPointCloud2& cloud);
 template <typename T>
 void setField (pcl::PCLPointCloud2& cloud, const std::string& name, const std::vector<T>& values);
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

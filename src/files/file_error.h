@@ -2,8 +2,7 @@
 
 #include <stdexcept>
 
-namespace pcl {
-namespace manifold {
+namespace pcl::manifold {
 
 /** \brief A file cannot be read or written; what () is one line that says why and where in the file. */
 class FileError : public std::runtime_error
@@ -12,5 +11,4 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

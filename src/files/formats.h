@@ -11,8 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace pcl {
-namespace manifold {
+namespace pcl::manifold {
 
 /** \brief Where a sensor stood and how it was turned: translation and quaternion (w, x, y, z). */
 using Viewpoint = std::array<double, 7>;
@@ -73,5 +72,4 @@ void writeVtu (OutputFile& file, const CloudFields& cloud, const FileCells& cell
 /** \brief Writes a cloud as a binary PCD file, every field bit for bit, padding left out. */
 void writePcd (OutputFile& file, const pcl::PCLPointCloud2& cloud, const Viewpoint& viewpoint);
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

@@ -12,8 +12,7 @@
 #include <memory>
 #include <system_error>
 
-namespace pcl {
-namespace manifold {
+namespace pcl::manifold {
 
 std::string
 fileType (const std::string& file)
@@ -50,5 +49,4 @@ InputFile::InputFile (const std::string& name)
   }
 }
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

@@ -5,8 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace pcl {
-namespace manifold {
+namespace pcl::manifold {
 
 /** \brief A file's bytes, mapped into memory and not copied. */
 class InputFile
@@ -25,5 +24,4 @@ private:
   boost::interprocess::mapped_region region_;
 };
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

@@ -1,8 +1,6 @@
 #include "files/number_text.h"
 
-namespace pcl {
-namespace manifold {
-
+namespace pcl::manifold {
 namespace {
 
 /** \brief What follows the `1.#` of an infinity or a NaN: its name, and zeros as far as digits were asked for.
@@ -47,5 +45,4 @@ parseOddNumber (std::string_view word, long double& number)
   return true;
 }
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

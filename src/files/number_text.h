@@ -7,8 +7,7 @@
 #include <system_error>
 #include <type_traits>
 
-namespace pcl {
-namespace manifold {
+namespace pcl::manifold {
 
 /** \brief Numbers that std::from_chars does not take: those beyond the range of a double, which become
  * infinite or zero, and the `1.#QNAN`, `-1.#IND` and `1.#INF` of old Windows runtimes.
@@ -51,5 +50,4 @@ parseNumber (std::string_view word, Number& number)
   }
 }
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

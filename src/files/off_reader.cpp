@@ -2,9 +2,7 @@
 #include "files/formats.h"
 #include "files/scanner.h"
 
-namespace pcl {
-namespace manifold {
-
+namespace pcl::manifold {
 namespace {
 
 using Words = std::vector<std::string_view>;
@@ -78,5 +76,4 @@ readOff (std::string_view bytes)
   return content;
 }
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

@@ -8,9 +8,7 @@
 
 #include <unistd.h>
 
-namespace pcl {
-namespace manifold {
-
+namespace pcl::manifold {
 namespace {
 
 namespace fs = std::filesystem;
@@ -67,6 +65,7 @@ OutputFile::OutputFile (const std::string& name)
   if (fs::exists (status))
     checkWritable (name_);
   createPart ();
+  error.clear ();
   if (fs::exists (status))
     fs::permissions (part_name_, status.permissions (), error);
   if (error) {
@@ -123,5 +122,4 @@ OutputFile::commit ()
   part_name_.clear ();
 }
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

@@ -4,8 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace pcl {
-namespace manifold {
+namespace pcl::manifold {
 
 /** \brief A file that appears complete or not at all: it is written under another name in the same folder and
  * renamed by commit (). Without commit () nothing is left of it, and what was there before stays. A file that
@@ -39,5 +38,4 @@ private:
   std::FILE* part_ = nullptr;
 };
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

@@ -10,9 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace pcl {
-namespace manifold {
-
+namespace pcl::manifold {
 namespace {
 
 using Words = std::vector<std::string_view>;
@@ -223,5 +221,4 @@ readPcdHeader (Scanner& scanner)
   return PcdHeaderParser (scanner).parse ();
 }
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

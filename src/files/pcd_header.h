@@ -5,8 +5,7 @@
 
 #include <cstdint>
 
-namespace pcl {
-namespace manifold {
+namespace pcl::manifold {
 
 /** \brief What the header of a PCD file says, once it is known to fit together. */
 struct PcdHeader
@@ -33,5 +32,4 @@ struct PcdHeader
  * \throw FileError that names the line and what is wrong with it */
 PcdHeader readPcdHeader (Scanner& scanner);
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

@@ -5,9 +5,7 @@
 
 #include <cstring>
 
-namespace pcl {
-namespace manifold {
-
+namespace pcl::manifold {
 namespace {
 
 /** \brief Reads one point a line, one number for every value of every field. Empty lines are skipped. */
@@ -122,5 +120,4 @@ readPcd (std::string_view bytes)
   return content;
 }
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

@@ -5,8 +5,7 @@
 
 #include <functional>
 
-namespace pcl {
-namespace manifold {
+namespace pcl::manifold {
 
 void
 writePcd (OutputFile& file, const pcl::PCLPointCloud2& cloud, const Viewpoint& viewpoint)
@@ -36,5 +35,4 @@ writePcd (OutputFile& file, const pcl::PCLPointCloud2& cloud, const Viewpoint& v
   file.write ({reinterpret_cast<const char*> (points.data.data ()), points.data.size ()});
 }
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

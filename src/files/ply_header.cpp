@@ -4,9 +4,7 @@
 #include <array>
 #include <utility>
 
-namespace pcl {
-namespace manifold {
-
+namespace pcl::manifold {
 namespace {
 
 using Field = pcl::PCLPointField;
@@ -168,5 +166,4 @@ plyTypeName (ScalarType type)
   return "double";
 }
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl {
-namespace manifold {
+namespace pcl::manifold {
 
 struct PlyProperty
 {
@@ -41,5 +40,4 @@ PlyHeader readPlyHeader (Scanner& scanner);
 /** \brief PLY's name of a type. PLY has no integers of 64 bits. */
 const char* plyTypeName (ScalarType type);
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

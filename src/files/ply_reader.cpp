@@ -9,9 +9,7 @@
 #include <functional>
 #include <limits>
 
-namespace pcl {
-namespace manifold {
-
+namespace pcl::manifold {
 namespace {
 
 using Field = pcl::PCLPointField;
@@ -243,5 +241,4 @@ readPly (std::string_view bytes)
   return PlyReader (bytes).read ();
 }
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

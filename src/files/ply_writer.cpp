@@ -9,9 +9,7 @@
 #include <limits>
 #include <set>
 
-namespace pcl {
-namespace manifold {
-
+namespace pcl::manifold {
 namespace {
 
 using Field = pcl::PCLPointField;
@@ -166,5 +164,4 @@ writePly (OutputFile& file, const CloudFields& cloud, const FileCells& cells, bo
   writer.finish ();
 }
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

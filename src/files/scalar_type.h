@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace pcl {
-namespace manifold {
+namespace pcl::manifold {
 
 /** \brief Type of a field's values, one of pcl::PCLPointField::PointFieldTypes. */
 using ScalarType = std::uint8_t;
@@ -99,5 +98,4 @@ swapBytes (void* data, std::size_t size, std::size_t count)
     std::reverse (bytes + i * size, bytes + (i + 1) * size);
 }
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 
-namespace pcl {
-namespace manifold {
-
+namespace pcl::manifold {
 namespace {
 
 bool
@@ -119,5 +117,4 @@ quoted (std::string_view word)
   return text + (word.size () > longest ? "...'" : "'");
 }
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

@@ -8,8 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace pcl {
-namespace manifold {
+namespace pcl::manifold {
 
 /** \brief Reads words, lines and bytes one after the other from the bytes of a file, never beyond their end.
  */
@@ -74,5 +73,4 @@ private:
 /** \brief A word of a file for a message: short, printable, in quotes. */
 std::string quoted (std::string_view word);
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

@@ -4,8 +4,7 @@
 
 #include <cstddef>
 
-namespace pcl {
-namespace manifold {
+namespace pcl::manifold {
 
 /** \brief Takes the polygons and polylines of a file into a complex, without those that repeat a
  * vertex. The indices must have been checked. */
@@ -45,5 +44,4 @@ private:
   SimplicialComplex& complex_;
 };
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

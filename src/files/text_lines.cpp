@@ -7,9 +7,7 @@
 #include <limits>
 #include <string>
 
-namespace pcl {
-namespace manifold {
-
+namespace pcl::manifold {
 namespace {
 
 constexpr std::string_view blanks = " \t\v\f\r";
@@ -122,5 +120,4 @@ parseLine (std::string_view line, std::vector<double>& numbers)
   return notation;
 }
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

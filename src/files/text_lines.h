@@ -4,8 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace pcl {
-namespace manifold {
+namespace pcl::manifold {
 
 /** \brief Splits a line.
  * \param[in] separator a blank stands for any white space; fields between other separators may be empty, but
@@ -28,5 +27,4 @@ struct Notation
  * \throw FileError, without a line, if its commas may be either */
 Notation parseLine (std::string_view line, std::vector<double>& numbers);
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

@@ -7,9 +7,7 @@
 #include <array>
 #include <cctype>
 
-namespace pcl {
-namespace manifold {
-
+namespace pcl::manifold {
 namespace {
 
 /** \brief Is it the name of this axis: `x`, `X`, `X [m]`, `x(m)`? */
@@ -106,5 +104,4 @@ fieldNames (const std::vector<std::string>& names, std::size_t columns)
   return fields;
 }
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

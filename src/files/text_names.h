@@ -5,8 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace pcl {
-namespace manifold {
+namespace pcl::manifold {
 
 /** \brief The words of a comment, without what marks it: `#`, `//` or `%`.
  * \return false if the line is no comment */
@@ -23,5 +22,4 @@ std::vector<std::string> parseNames (std::string_view line, char separator, std:
  * \return one a column, x, y and z among them: the first three, if the names do not say otherwise */
 std::vector<std::string> fieldNames (const std::vector<std::string>& names, std::size_t columns);
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

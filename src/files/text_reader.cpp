@@ -11,9 +11,7 @@
 #include <tuple>
 #include <utility>
 
-namespace pcl {
-namespace manifold {
-
+namespace pcl::manifold {
 namespace {
 
 /** \brief Lines of one kind, one behind the other but for comments and empty lines. */
@@ -131,7 +129,7 @@ private:
   void append (std::size_t line, const std::vector<double>& numbers, Notation notation)
   {
     Lines* last = lines_.empty () ? nullptr : &lines_.back ();
-    if (last == nullptr || last->columns != numbers.size () ||
+    if (last == nullptr || numbers.empty () || last->columns != numbers.size () ||
         last->notation.separator != notation.separator || line != last->first + last->count ||
         (last->notation.mark != notation.mark && last->notation.mark != '\0' && notation.mark != '\0')) {
       lines_.push_back ({line, 0, numbers.size (), notation, values_.size ()});
@@ -248,8 +246,10 @@ private:
       fail (wrong.first, "not the " + numbers + " of most lines, and so are " + std::to_string (wrong.count) +
                            " lines in all");
     if (skipped.count > 0)
-      content_.notes.push_back (std::to_string (skipped.count) + (skipped.count == 1 ? " line" : " lines") +
-                                " skipped that hold no " + numbers + ": " + skipped.text ());
+      content_.notes.push_back (
+        std::to_string (skipped.count) +
+        (skipped.count == 1 ? " line skipped that holds no " : " lines skipped that hold no ") + numbers +
+        ": " + skipped.text ());
   }
 
   Scanner scanner_;
@@ -270,5 +270,4 @@ readText (std::string_view bytes)
   return TextReader (bytes).read ();
 }
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

@@ -7,8 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace pcl {
-namespace manifold {
+namespace pcl::manifold {
 
 /** \brief How numbers are written. */
 enum class Encoding
@@ -86,5 +85,4 @@ private:
   bool row_starts_ = true;
 };
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace pcl {
-namespace manifold {
+namespace pcl::manifold {
 
 /** \brief VTK's numbers of the cell types that are written. */
 enum VtkCellType : std::uint8_t
@@ -116,5 +115,4 @@ writeField (ValueWriter& writer, const CloudFields& cloud, const CloudField& fie
   }
 }
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

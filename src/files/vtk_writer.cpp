@@ -2,9 +2,7 @@
 
 #include <cctype>
 
-namespace pcl {
-namespace manifold {
-
+namespace pcl::manifold {
 namespace {
 
 /** \brief A name without blanks and what else VTK takes for the end of one. */
@@ -67,5 +65,4 @@ writeVtk (OutputFile& file, const CloudFields& cloud, const FileCells& cells, bo
   writer.finish ();
 }
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

@@ -3,9 +3,7 @@
 #include <functional>
 #include <limits>
 
-namespace pcl {
-namespace manifold {
-
+namespace pcl::manifold {
 namespace {
 
 using Field = pcl::PCLPointField;
@@ -155,5 +153,4 @@ writeVtu (OutputFile& file, const CloudFields& cloud, const FileCells& cells, bo
   VtuWriter (file, cloud, cells, ascii).write ();
 }
 
-} // namespace manifold
-} // namespace pcl
+} // namespace pcl::manifold

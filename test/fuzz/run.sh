@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 cmake --preset fuzz --log-level=WARNING
-cmake --build --preset fuzz
+cmake --build --preset fuzz --target fuzz_obj fuzz_off fuzz_pcd fuzz_ply fuzz_text
 mkdir -p build/fuzz/found
 for seeds in test/fuzz/seeds/*; do
   reader=$(basename "$seeds")
