@@ -19,7 +19,6 @@ endfunction ()
 find_package (Boost 1.71 REQUIRED)
 find_package (Eigen3 REQUIRED)
 find_package (TBB REQUIRED)
-find_package (ZLIB REQUIRED)
 find_package (PCL 1.12 REQUIRED COMPONENTS ${PCL_MANIFOLD_PCL_COMPONENTS})
 pcl_manifold_pcl_targets (PCL_MANIFOLD_PCL_TARGETS ${PCL_MANIFOLD_PCL_COMPONENTS})
 
@@ -33,7 +32,7 @@ endif ()
 
 # The apps and the tests read and write files through PCL, whose io finds VTK, which looks for MPI with the C
 # compiler.
-if (PCL_MANIFOLD_BUILD_SAMPLES OR PCL_MANIFOLD_BUILD_TESTS OR PCL_MANIFOLD_BUILD_BENCHMARKS)
+if (PCL_MANIFOLD_BUILD_SAMPLES OR PCL_MANIFOLD_BUILD_TESTS OR PCL_MANIFOLD_BUILD_BENCHMARKS OR PCL_MANIFOLD_BUILD_FUZZERS)
   enable_language (C)
   find_package (PCL 1.12 REQUIRED COMPONENTS io)
   pcl_manifold_pcl_targets (PCL_MANIFOLD_PCL_IO_TARGET io)

@@ -1,11 +1,9 @@
 #include "app_error.h"
+#include "app_files.h"
 #include "app_main.h"
-#include "atomic_file.h"
-#include "cloud_fields.h"
-#include "cloud_writer.h"
 #include "complex_layers.h"
-#include "file_type.h"
-#include "number_text.h"
+#include "files/cloud_fields.h"
+#include "files/number_text.h"
 #include "picture.h"
 #include "progress.h"
 #include "report.h"
@@ -24,6 +22,7 @@
 #include <iostream>
 #include <string_view>
 
+using namespace pcl::manifold;
 using namespace pcl::manifold::apps;
 
 namespace {

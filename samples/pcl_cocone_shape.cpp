@@ -1,6 +1,6 @@
 #include "app_error.h"
+#include "app_files.h"
 #include "app_main.h"
-#include "atomic_file.h"
 #include "complex_layers.h"
 #include "picture.h"
 #include "progress.h"

@@ -1,7 +1,6 @@
 #include "app_error.h"
+#include "app_files.h"
 #include "app_main.h"
-#include "atomic_file.h"
-#include "file_type.h"
 #include "graph_options.h"
 #include "graph_viewer_model.h"
 #include "graph_viewer_window.h"

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "app_error.h"
-#include "cloud_fields.h"
 #include "cloud_reader.h"
-#include "number_text.h"
+#include "files/cloud_fields.h"
 #include "test_apps_folder.h"
 
 #include <cmath>
@@ -30,9 +29,8 @@ valueAt (const pcl::PCLPointCloud2& cloud, const std::string& name, std::size_t 
 {
   const pcl::PCLPointField* field = findField (cloud, name);
   EXPECT_NE (field, nullptr) << name;
-  return field == nullptr
-           ? std::nan ("")
-           : fieldAsDouble (field->datatype, &cloud.data[point * cloud.point_step + field->offset]);
+  return field == nullptr ? std::nan ("")
+                          : toDouble (field->datatype, &cloud.data[point * cloud.point_step + field->offset]);
 }
 
 /** \brief What readCloud () says about a bad file; empty if it reads it. */

@@ -2,14 +2,15 @@
 #include "app_error.h"
 #include "app_main.h"
 #include "command_line.h"
+#include "files/scalar_type.h"
 #include "interrupt.h"
-#include "number_text.h"
 #include "progress.h"
 #include "table.h"
 #include "test_apps_folder.h"
 
 #include <pcl/PCLPointField.h>
 
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <limits>
@@ -19,6 +20,7 @@
 #include <utility>
 #include <vector>
 
+using namespace pcl::manifold;
 using namespace pcl::manifold::apps;
 
 namespace {
@@ -228,25 +230,38 @@ TEST (Numbers, AreReadWholeOrNotAtAll)
     EXPECT_TRUE (parseNumber (std::string_view (text), number)) << text;
     EXPECT_EQ (number, value) << text;
   }
-  EXPECT_TRUE (parseNumber (std::string_view ("NaN"), number));
-  EXPECT_NE (number, number);
+  for (const char* const text : {"NaN", "1.#QNAN", "-1.#IND", "1.#IND00", "1.#SNAN0", "-nan(ind)"}) {
+    number = 7;
+    EXPECT_TRUE (parseNumber (std::string_view (text), number)) << text;
+    EXPECT_NE (number, number) << text;
+  }
+  for (const char* const text : {"1.#INF", "+1.#INF00", "-1.#INF"}) {
+    EXPECT_TRUE (parseNumber (std::string_view (text), number)) << text;
+    EXPECT_EQ (number, text[0] == '-' ? -HUGE_VAL : HUGE_VAL) << text;
+  }
+  for (const char* const text : {"1.#", "1.#QNANX", "1.#IN", "2.#INF", "-", "1.#IND1"})
+    EXPECT_FALSE (parseNumber (std::string_view (text), number)) << text;
+  float narrow = 0;
+  EXPECT_TRUE (parseNumber (std::string_view ("-1e50"), narrow));
+  EXPECT_EQ (narrow, -HUGE_VALF);
+  EXPECT_TRUE (parseNumber (std::string_view ("1e-45"), narrow));
+  EXPECT_EQ (narrow, std::numeric_limits<float>::denorm_min ());
 }
 
 TEST (Numbers, FitTheirField)
 {
   std::uint8_t bytes[8] = {};
-  EXPECT_TRUE (parseField ("255", pcl::PCLPointField::UINT8, bytes));
-  EXPECT_EQ (fieldAsDouble (pcl::PCLPointField::UINT8, bytes), 255);
-  EXPECT_FALSE (parseField ("256", pcl::PCLPointField::UINT8, bytes));
-  EXPECT_FALSE (parseField ("-1", pcl::PCLPointField::UINT8, bytes));
-  EXPECT_FALSE (parseField ("1.5", pcl::PCLPointField::INT16, bytes));
-  EXPECT_TRUE (parseField ("-3e2", pcl::PCLPointField::INT16, bytes));
-  EXPECT_EQ (fieldAsDouble (pcl::PCLPointField::INT16, bytes), -300);
-  EXPECT_FALSE (parseField ("nan", pcl::PCLPointField::INT32, bytes));
-  EXPECT_FALSE (parseField ("18446744073709551616", pcl::PCLPointField::UINT64, bytes));
-  EXPECT_TRUE (parseField ("16777217", pcl::PCLPointField::UINT32, bytes));
-  EXPECT_EQ (fieldAsDouble (pcl::PCLPointField::UINT32, bytes), 16777217);
-  EXPECT_FALSE (parseField ("1", 99, bytes));
+  EXPECT_TRUE (parseValue ("255", pcl::PCLPointField::UINT8, bytes));
+  EXPECT_EQ (toDouble (pcl::PCLPointField::UINT8, bytes), 255);
+  EXPECT_FALSE (parseValue ("256", pcl::PCLPointField::UINT8, bytes));
+  EXPECT_FALSE (parseValue ("-1", pcl::PCLPointField::UINT8, bytes));
+  EXPECT_FALSE (parseValue ("1.5", pcl::PCLPointField::INT16, bytes));
+  EXPECT_TRUE (parseValue ("-3e2", pcl::PCLPointField::INT16, bytes));
+  EXPECT_EQ (toDouble (pcl::PCLPointField::INT16, bytes), -300);
+  EXPECT_FALSE (parseValue ("nan", pcl::PCLPointField::INT32, bytes));
+  EXPECT_FALSE (parseValue ("18446744073709551616", pcl::PCLPointField::UINT64, bytes));
+  EXPECT_TRUE (parseValue ("16777217", pcl::PCLPointField::UINT32, bytes));
+  EXPECT_EQ (toDouble (pcl::PCLPointField::UINT32, bytes), 16777217);
 }
 
 TEST (Table, AlignsItsColumns)

@@ -1,5 +1,5 @@
 // PCD files: every field of every encoding, every kind of bad header, truncated and corrupt data.
-#include "cloud_writer.h"
+#include "app_files.h"
 #include "test_apps_clouds.h"
 
 #include <pcl/io/pcd_io.h>
@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+using namespace pcl::manifold;
 using namespace pcl::manifold::apps;
 
 namespace {
@@ -108,6 +109,42 @@ TEST (Pcd, ReadsTextWithNanAndViewpoint)
   EXPECT_TRUE (input.notes.empty ());
 }
 
+TEST (Pcd, ReadsWhatOldWindowsRuntimesWriteForNan)
+{
+  const TestFolder folder;
+  const InputCloud input =
+    readCloud (folder.write ("a.pcd", ascii_header + "DATA ascii\n1.#QNAN -1.#IND 1.#INF 5\n4 5 6 7\n"));
+  EXPECT_TRUE (std::isnan (valueAt (input.cloud, "x", 0)));
+  EXPECT_TRUE (std::isnan (valueAt (input.cloud, "y", 0)));
+  EXPECT_EQ (valueAt (input.cloud, "z", 0), HUGE_VAL);
+  EXPECT_EQ (valueAt (input.cloud, "z", 1), 6);
+  EXPECT_TRUE (
+    contains (readingError (folder.write ("b.pcd", ascii_header + "DATA ascii\n1 2 3 1.#QNAN\n4 5 6 7\n")),
+              "line 12: '1.#QNAN' is no value for field 'label'"));
+}
+
+TEST (Pcd, KeepsTheSensorAndTheLayoutOfAnOrganisedCloud)
+{
+  const TestFolder folder;
+  pcl::PCLPointCloud2 cloud = someCloud (1200);
+  cloud.width = 40;
+  cloud.height = 30;
+  cloud.row_step = cloud.point_step * cloud.width;
+  const Viewpoint viewpoint{12345.678, -234.56789, 381.5272, 0.70710678118654757, 0, 0.1 + 0.2, 1e-300};
+  writePcd (folder / "a.pcd", cloud, viewpoint);
+  EXPECT_TRUE (contains (folder.read ("a.pcd"), "WIDTH 40\nHEIGHT 30\nVIEWPOINT 12345.678 -234.56789 "));
+  const InputCloud again = readCloud (folder / "a.pcd");
+  EXPECT_EQ (again.viewpoint, viewpoint);
+  expectSameFields (cloud, again.cloud);
+  Eigen::Vector4f origin;
+  Eigen::Quaternionf orientation;
+  pcl::PCLPointCloud2 by_pcl;
+  ASSERT_EQ (pcl::io::loadPCDFile (folder / "a.pcd", by_pcl, origin, orientation), 0);
+  expectSameFields (cloud, by_pcl);
+  EXPECT_EQ (origin[0], 12345.678f);
+  EXPECT_EQ (orientation.y (), 0.0f);
+}
+
 TEST (Pcd, SaysWhatIsWrongWithAHeader)
 {
   const TestFolder folder;
@@ -141,7 +178,7 @@ TEST (Pcd, SaysWhatIsWrongWithAHeader)
     {with ("5 6 7 8\n", "          "), "truncated: the file ends after line 13, with 1 of 2 lines of points"},
     {"\x01\x02\x03\nFIELDS x", "line 1: not a line of a PCD header: '"},
     {"", "the file is empty"},
-    {"FIELDS x y z\n", "the header ends after line 1 without a DATA line"},
+    {"FIELDS x y z\n", "the header has no DATA line"},
     {"SIZE 4\n", "line 1: SIZE comes before FIELDS"},
     {"POINTS 1\nDATA ascii\n1", "the header has no FIELDS line"},
     {"POINTS 1\nFIELDS x y z\nTYPE F F F\nDATA ascii\n1 2 3", "the header has no SIZE line"},

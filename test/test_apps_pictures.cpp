@@ -1,7 +1,7 @@
 // Pictures, drawn without a screen. Skipped where there is no Xvfb and no display.
 #include "app_error.h"
-#include "cloud_fields.h"
 #include "complex_layers.h"
+#include "files/cloud_fields.h"
 #include "picture.h"
 #include "picture_display.h"
 #include "test_apps_folder.h"
@@ -25,6 +25,7 @@ __asan_default_options ()
 }
 #endif
 
+using namespace pcl::manifold;
 using namespace pcl::manifold::apps;
 
 namespace {

@@ -2,6 +2,7 @@
 #include "test_apps_clouds.h"
 
 #include <pcl/io/ply_io.h>
+#include <pcl/manifold/complex_io.h>
 #include <pcl/point_types.h>
 
 #include <cmath>
@@ -9,6 +10,7 @@
 #include <random>
 #include <vector>
 
+using namespace pcl::manifold;
 using namespace pcl::manifold::apps;
 
 TEST (Ply, KeepsEveryProperty)
@@ -90,28 +92,6 @@ TEST (Ply, IsReadAsByPcl)
   }
 }
 
-TEST (Xyz, SkipsAndReportsLinesThatDoNotConform)
-{
-  const TestFolder folder;
-  const InputCloud input =
-    readCloud (folder.write ("a.xyz", "\xEF\xBB\xBF# head\nx,y,z,i\n1,2,3,4\n\n5 6\t7 ; 8 # tail\n1 2 3\nnan "
-                                      "1 2 3\na b c d\n1 2\n9\n1 2 3 4 5"));
-  EXPECT_EQ (input.size (), 3u);
-  EXPECT_EQ (valueAt (input.cloud, "x", 1), 5);
-  EXPECT_EQ (valueAt (input.cloud, "column_4", 1), 8);
-  EXPECT_EQ (findField (input.cloud, "x")->datatype, pcl::PCLPointField::FLOAT32);
-  ASSERT_EQ (input.notes.size (), 1u);
-  EXPECT_EQ (input.notes[0], "6 lines skipped that hold no 4 numbers: lines 2, 6, 8, 9, 10, ...");
-}
-
-TEST (Xyz, IsRefusedWithoutAnyPoint)
-{
-  const TestFolder folder;
-  EXPECT_TRUE (
-    contains (readingError (folder.write ("a.txt", "# nothing\nhere\n1 2\n")),
-              "none of its 3 lines holds a point (three numbers or more); not understood: lines 2, 3"));
-}
-
 TEST (Off, GivesItsVertices)
 {
   const TestFolder folder;
@@ -121,7 +101,7 @@ TEST (Off, GivesItsVertices)
   EXPECT_EQ (valueAt (input.cloud, "y", 1), 5);
   EXPECT_EQ (readCloud (folder.write ("b.off", "COFF 1 0 0\n1 2 3 4 5 6 7")).size (), 1u);
   EXPECT_TRUE (contains (readingError (folder.write ("c.off", "OFF\n99999999999 1 0\n1 2 3\n")),
-                         "truncated: the file ends after line 3, with 1 of 99999999999 vertices"));
+                         "truncated: the file ends with 1 of 99999999999 vertices"));
   EXPECT_TRUE (contains (readingError (folder.write ("c.off", "OFF\n2 1 0\n1 2 3\n1 2\n")),
                          "line 4: a vertex needs three numbers"));
   EXPECT_TRUE (
@@ -141,6 +121,95 @@ TEST (Obj, GivesItsVertices)
   EXPECT_TRUE (contains (readingError (folder.write ("b.obj", "# none\n")), "b.obj: holds no point"));
 }
 
+TEST (Obj, GivesColoursAndNormals)
+{
+  const TestFolder folder;
+  const std::string points =
+    "vn 0 0 1\nv 1 2 3 1 0.5 0\nvn 0 1 0\nv 4 5 6 0 1 0.2\nvn 1 0 0\nv 7 8 9 0 0 1\n";
+  const InputCloud input = readCloud (folder.write ("a.obj", points + "f 1//1 2//2 3//3\n"));
+  EXPECT_TRUE (input.notes.empty ());
+  pcl::PointCloud<pcl::PointXYZRGBNormal> cloud;
+  pcl::fromPCLPointCloud2 (input.cloud, cloud);
+  ASSERT_EQ (cloud.size (), 3u);
+  EXPECT_EQ (cloud[0].getRGBVector3i (), Eigen::Vector3i (255, 128, 0));
+  EXPECT_EQ (cloud[1].getRGBVector3i (), Eigen::Vector3i (0, 255, 51));
+  EXPECT_EQ (cloud[1].getNormalVector3fMap (), Eigen::Vector3f::UnitY ());
+  EXPECT_EQ (cloud[2].getNormalVector3fMap (), Eigen::Vector3f::UnitX ());
+
+  // The faces say which normal belongs to which point; without faces it is their order.
+  const InputCloud turned = readCloud (folder.write ("a.obj", points + "f -3/1/3 2/1/-2 3//1\n"));
+  EXPECT_EQ (valueAt (turned.cloud, "normal_x", 0), 1);
+  EXPECT_EQ (valueAt (turned.cloud, "normal_z", 2), 1);
+  EXPECT_EQ (valueAt (readCloud (folder.write ("a.obj", points)).cloud, "normal_z", 0), 1);
+  // Bytes instead of fractions.
+  const InputCloud bytes = readCloud (folder.write ("a.obj", "v 1 2 3 255 128 1e9\nv 4 5 6 nan 0 -1\n"));
+  pcl::fromPCLPointCloud2 (bytes.cloud, cloud);
+  EXPECT_EQ (cloud[0].getRGBVector3i (), Eigen::Vector3i (255, 128, 255));
+  EXPECT_EQ (cloud[1].getRGBVector3i (), Eigen::Vector3i (0, 0, 0));
+}
+
+TEST (Obj, SaysWhatItLeavesOut)
+{
+  const TestFolder folder;
+  const auto notes = [&] (const std::string& text) {
+    const InputCloud input = readCloud (folder.write ("a.obj", text));
+    EXPECT_EQ (input.cloud.fields.size (), 3u);
+    std::string all;
+    for (const std::string& note : input.notes)
+      all += note + ";";
+    return all;
+  };
+  EXPECT_EQ (notes ("v 1 2 3\nv 4 5 6 0.5 0.5 0.5\n"), "colours left out: not every point has one;");
+  const std::string normals = "normals left out: not every point has one of its own;";
+  EXPECT_EQ (notes ("v 1 2 3\nv 4 5 6\nvn 0 0 1\n"), normals);
+  EXPECT_EQ (notes ("v 1 2 3\nv 4 5 6\nvn 0 0 1\nvn 0 1 0\nf 1//1 2//2 1//2\n"), normals)
+    << "two of one point";
+  EXPECT_EQ (notes ("v 1 2 3\nv 4 5 6\nvn 0 0 1\nvn 0 1 0\nf 1//1 2//7 2//7\n"), normals)
+    << "there is no seventh";
+  EXPECT_EQ (notes ("v 1 2 3 1.0\nv 4 5 6 1.0\n"), "") << "weights";
+}
+
+TEST (Ply, SaysThatListsOfSeveralLengthsAreLeftOut)
+{
+  const TestFolder folder;
+  const std::string text = "ply \nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+                           "property float z\nproperty list uchar int views\nproperty list uchar int pair\n"
+                           "end_header\n1 2 3 1 9 2 1 2\n4 5 6 0 2 3 4\n";
+  const InputCloud input = readCloud (folder.write ("a.ply", text));
+  EXPECT_EQ (input.cloud.fields.size (), 4u);
+  EXPECT_EQ (findField (input.cloud, "pair")->count, 2u);
+  ASSERT_EQ (input.notes.size (), 1u);
+  EXPECT_EQ (input.notes[0], "left out, lists of the vertices that are empty or of several lengths: views");
+}
+
+TEST (Ply, KeepsTheLayoutOfAnOrganisedCloud)
+{
+  const TestFolder folder;
+  pcl::PointCloud<pcl::PointXYZ> points (4, 3);
+  pcl::PCLPointCloud2 cloud;
+  pcl::toPCLPointCloud2 (points, cloud);
+  std::string error;
+  ASSERT_TRUE (saveComplex (folder / "a.ply", cloud, pcl::SimplicialComplex (), error)) << error;
+  pcl::PCLPointCloud2 by_pcl;
+  ASSERT_EQ (pcl::io::loadPLYFile (folder / "a.ply", by_pcl), 0);
+  for (const pcl::PCLPointCloud2& read : {readCloud (folder / "a.ply").cloud, by_pcl}) {
+    EXPECT_EQ (read.width, 4u);
+    EXPECT_EQ (read.height, 3u);
+    EXPECT_EQ (read.row_step, 4 * read.point_step);
+  }
+  // What contradicts the number of vertices is not believed.
+  std::string text = folder.read ("a.ply");
+  text.replace (text.find ("num_rows 3"), 10, "num_rows 5");
+  EXPECT_EQ (readCloud (folder.write ("b.ply", text)).cloud.height, 1u);
+}
+
+TEST (Reader, DoesNotReadWhatIsOnlyWritten)
+{
+  const TestFolder folder;
+  EXPECT_TRUE (contains (readingError (folder.write ("a.vtk", "# vtk DataFile Version 3.0\n")),
+                         "unknown type of file; known are .pcd .ply .xyz .txt .off .obj"));
+}
+
 TEST (Reader, RefusesWhatIsNoFile)
 {
   const TestFolder folder;
@@ -149,9 +218,9 @@ TEST (Reader, RefusesWhatIsNoFile)
   EXPECT_TRUE (
     contains (readingError (folder.write ("a.las", "LASF")), "unknown type of file; known are .pcd"));
   std::filesystem::create_directory (folder / "folder.pcd");
-  EXPECT_TRUE (contains (readingError (folder / "folder.pcd"), "is a folder, not a file"));
+  EXPECT_TRUE (contains (readingError (folder / "folder.pcd"), "cannot be read: it is a folder"));
   std::filesystem::create_symlink ("/dev/zero", folder / "zero.xyz");
-  EXPECT_TRUE (contains (readingError (folder / "zero.xyz"), "is not a regular file"));
+  EXPECT_TRUE (contains (readingError (folder / "zero.xyz"), "cannot be read: it is no regular file"));
 }
 
 // Rows of zeros among map coordinates, which a sensor's driver or a conversion leaves, and a stray.

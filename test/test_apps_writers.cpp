@@ -1,13 +1,13 @@
 // Writing clouds and reports: fields kept, nothing half-written.
 #include "app_error.h"
-#include "atomic_file.h"
-#include "cloud_fields.h"
+#include "app_files.h"
 #include "cloud_reader.h"
-#include "cloud_writer.h"
+#include "files/cloud_fields.h"
 #include "report.h"
 #include "test_apps_folder.h"
 
 #include <json/reader.h>
+#include <pcl/manifold/complex_io.h>
 
 #include <csignal>
 #include <cstring>
@@ -21,6 +21,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+using namespace pcl::manifold;
 using namespace pcl::manifold::apps;
 
 namespace {
@@ -38,6 +39,38 @@ someCloud (std::uint32_t points)
     cloud.data[i] = static_cast<std::uint8_t> (i * 37 % 120);
   return cloud;
 }
+
+/** \brief Root may write anywhere: as long as this lives, root is nobody and owns the folder as such. */
+class AsNormalUser
+{
+public:
+  explicit AsNormalUser (const TestFolder& folder)
+  {
+    if (geteuid () != 0)
+      return;
+    was_root_ = true;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator (folder / ""))
+      EXPECT_EQ (chown (entry.path ().c_str (), nobody, nobody), 0);
+    EXPECT_EQ (chown ((folder / "").c_str (), nobody, nobody), 0);
+    is_ = seteuid (nobody) == 0;
+  }
+
+  AsNormalUser (const AsNormalUser&) = delete;
+  AsNormalUser& operator= (const AsNormalUser&) = delete;
+
+  ~AsNormalUser ()
+  {
+    if (was_root_)
+      EXPECT_EQ (seteuid (0), 0);
+  }
+
+  bool is () const { return is_; }
+
+private:
+  static constexpr uid_t nobody = 65534;
+  bool was_root_ = false;
+  bool is_ = true;
+};
 
 } // namespace
 
@@ -78,6 +111,15 @@ TEST (Writer, ReplacesAFileAndKeepsItsMode)
   stat (file.c_str (), &status);
   EXPECT_EQ (status.st_mode & 0777, 0640u);
 
+  // So it is for meshes.
+  const std::string mesh = folder.write ("a.ply", "old");
+  chmod (mesh.c_str (), 0604);
+  std::string why;
+  EXPECT_TRUE (saveComplex (mesh, someCloud (5), pcl::SimplicialComplex (), why)) << why;
+  stat (mesh.c_str (), &status);
+  EXPECT_EQ (status.st_mode & 0777, 0604u);
+  std::filesystem::remove (mesh);
+
   std::filesystem::create_symlink (file, folder / "link.pcd");
   writePcd (folder / "link.pcd", someCloud (5));
   EXPECT_TRUE (std::filesystem::is_symlink (folder / "link.pcd"));
@@ -92,23 +134,45 @@ TEST (Writer, SaysWhyAFileCannotBeWritten)
   };
   EXPECT_EQ (error (folder / "new.pcd"), "");
   EXPECT_EQ (folder.count (), 0);
-  EXPECT_TRUE (contains (error (folder / "none/a.pcd"), "there is no folder '"));
-  EXPECT_TRUE (contains (error (folder.write ("file", "") + "/a.pcd"), "is not a folder"));
+  EXPECT_TRUE (contains (error (folder / "none/a.pcd"), "there is no folder "));
+  EXPECT_TRUE (contains (error (folder.write ("file", "") + "/a.pcd"), "there is no folder "));
   std::filesystem::create_directory (folder / "folder.pcd");
-  EXPECT_TRUE (contains (error (folder / "folder.pcd"), "is a folder, not a file"));
-  EXPECT_TRUE (contains (error (folder / "folder.pcd/"), "is a folder, not a file"));
-  EXPECT_TRUE (contains (error ("/dev/full"), "/dev/full: is not a regular file"));
+  EXPECT_TRUE (contains (error (folder / "folder.pcd"), "cannot be written: it is a folder"));
+  EXPECT_TRUE (contains (error (folder / "folder.pcd/"), "cannot be written: it is a folder"));
+  EXPECT_TRUE (contains (error ("/dev/full"), "/dev/full: cannot be written: it is no regular file"));
   if (std::filesystem::exists ("/proc/self")) {
     EXPECT_TRUE (contains (error ("/proc/a.pcd"), "/proc/a.pcd: cannot be written: "));
   }
-  if (geteuid () == 0)
-    return; // root may write anywhere
   std::filesystem::create_directory (folder / "locked");
-  chmod ((folder / "locked").c_str (), 0500);
-  EXPECT_TRUE (contains (error (folder / "locked/a.pcd"), "cannot be written: Permission denied"));
+  chmod ((folder / "locked").c_str (), 0555);
   const std::string locked = folder.write ("locked.pcd", "old");
-  chmod (locked.c_str (), 0400);
-  EXPECT_TRUE (contains (error (locked), "cannot be written: Permission denied"));
+  chmod (locked.c_str (), 0444);
+  const AsNormalUser user (folder);
+  if (!user.is ())
+    GTEST_SKIP () << "root may write anywhere";
+  EXPECT_TRUE (contains (error (folder / "locked/a.pcd"), "cannot be written: Permission denied"));
+  EXPECT_EQ (error (locked), locked + ": cannot be written: Permission denied");
+}
+
+TEST (Writer, RefusesAFileThatIsReadOnly)
+{
+  const TestFolder folder;
+  const std::string file = folder.write ("a.pcd", "old");
+  const std::string mesh = folder.write ("a.ply", "old");
+  for (const std::string& name : {file, mesh})
+    chmod (name.c_str (), 0444);
+  const AsNormalUser user (folder);
+  if (!user.is ())
+    GTEST_SKIP () << "root may write anywhere";
+  EXPECT_EQ (messageOf<AppError> ([&] { writePcd (file, someCloud (5)); }),
+             file + ": cannot be written: Permission denied");
+  std::string why;
+  EXPECT_FALSE (canSaveComplex (mesh, why));
+  EXPECT_EQ (why, "cannot be written: Permission denied");
+  EXPECT_FALSE (saveComplex (mesh, someCloud (5), pcl::SimplicialComplex (), why));
+  EXPECT_EQ (why, "cannot be written: Permission denied");
+  EXPECT_EQ (folder.read ("a.pcd") + folder.read ("a.ply"), "oldold");
+  EXPECT_EQ (folder.count (), 2);
 }
 
 TEST (Writer, LeavesNothingBehindOnAFullDisk)
@@ -132,20 +196,19 @@ TEST (Writer, LeavesNothingBehindOnAFullDisk)
 TEST (Writer, LeavesNothingBehindIfWritingThrows)
 {
   const TestFolder folder;
-  EXPECT_THROW (writeAtomically (folder / "a.ply",
-                                 [&] (const std::string& temporary) {
-                                   EXPECT_EQ (temporary.substr (temporary.size () - 4), ".ply");
-                                   EXPECT_EQ (folder.count (), 1);
-                                   throw std::runtime_error ("broken");
-                                 }),
-                std::runtime_error);
+  const std::string name = std::string (250, 'a') + ".ply"; // as long as names can be
+  EXPECT_THROW (
+    {
+      OutputFile file (folder / name);
+      file.write ("half");
+      EXPECT_EQ (folder.count (), 1);
+      throw std::runtime_error ("broken");
+    },
+    std::runtime_error);
   EXPECT_EQ (folder.count (), 0);
-  EXPECT_TRUE (contains (messageOf<AppError> ([&] {
-                           writeAtomically (folder / "a.ply", [] (const std::string& temporary) {
-                             unlink (temporary.c_str ());
-                           });
-                         }),
-                         "a.ply: cannot be written"));
+  writeFile (folder / name, "whole");
+  EXPECT_EQ (folder.read (name), "whole");
+  EXPECT_EQ (folder.count (), 1);
 }
 
 TEST (Report, HoldsWhatWasToldAtFullPrecision)

@@ -96,33 +96,6 @@ TEST (ComplexIoFiles, ObjOfOthers)
   EXPECT_EQ (PCLPointField::FLOAT64, Loaded (".obj", "v 0 1e60 0\n").cloud.fields[0].datatype);
 }
 
-TEST (ComplexIoFiles, VtkOfOthers)
-{
-  Loaded poly (
-    ".vtk",
-    "# vtk DataFile Version 3.0\nvtk output\nASCII\nDATASET POLYDATA\nPOINTS 5 float\n0 0 0 1 0 0\n"
-    "1 1 0 0 1 0 0 0 1\nMETADATA\nINFORMATION 0\n\nVERTICES 1 2\n1 0\nLINES 1 4\n3 0 1 4\nPOLYGONS 1 5\n4 0 "
-    "1 2 3\n"
-    "TRIANGLE_STRIPS 1 5\n4 0 1 3 2\nCELL_DATA 4\nSCALARS s int\nLOOKUP_TABLE default\n1 2 3 4\n"
-    "LOOKUP_TABLE t 1\n0 0 0 1\nPOINT_DATA 5\nSCALARS a%20b float 1\nLOOKUP_TABLE default\n1 2 3 4 5\n"
-    "NORMALS n float\n0 0 1 0 0 1 0 0 1 0 0 1 0 0 1\nCOLOR_SCALARS rgb 3\n1 0 0 0 .5 0 0 0 1 1 1 1 0 0 0\n");
-  ASSERT_TRUE (poly.good) << poly.error;
-  EXPECT_EQ ((std::vector<SimplicialComplex::Edge>{{0, 1}, {1, 4}}), poly.complex.edges);
-  EXPECT_EQ ((std::vector<SimplicialComplex::Triangle>{{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}}),
-             poly.complex.triangles);
-  EXPECT_EQ (4.f, get<float> (poly.cloud, "a b", 3));
-  EXPECT_EQ (3u, fieldOf (poly.cloud, "n").count);
-  EXPECT_EQ (0xff008000u, get<std::uint32_t> (poly.cloud, "rgb", 1));
-
-  Loaded grid (
-    ".vtk", "# vtk DataFile Version 5.1\nvtk output\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n"
-            "0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 4 10\nOFFSETS vtktypeint64\n0 2 6 10\nCONNECTIVITY vtktypeint64\n"
-            "0 1\n0 1 2 3\n0 1 2 3\nCELL_TYPES 3\n3\n8\n10\n");
-  ASSERT_TRUE (grid.good) << grid.error;
-  EXPECT_EQ ((std::vector<SimplicialComplex::Triangle>{{0, 1, 3}, {0, 3, 2}}), grid.complex.triangles);
-  EXPECT_EQ ((std::vector<SimplicialComplex::Tetrahedron>{{0, 1, 2, 3}}), grid.complex.tetrahedra);
-}
-
 struct WrongFile
 {
   const char* extension;
@@ -135,11 +108,6 @@ TEST (ComplexIoFiles, WhatIsWrongAndWhere)
   const std::string ply = "ply\nformat ascii 1.0\n", le = "ply\nformat binary_little_endian 1.0\n";
   const std::string vertices = "element vertex 2\nproperty float x\nproperty float y\nproperty float z\n";
   const std::string faces = "element face 1\nproperty list char int vertex_indices\n";
-  const std::string vtk =
-    "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 1 float\n0 0 0\n";
-  const std::string vtu = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" "
-                          "header_type=\"UInt64\">\n<UnstructuredGrid>\n"
-                          "<Piece NumberOfPoints=\"1\" NumberOfCells=\"0\">\n<Points>\n";
   const std::vector<WrongFile> files = {
     {".ply", "", "line 1: not a PLY file"},
     {".ply", "plyx\n", "line 1: not a PLY file"},
@@ -194,47 +162,6 @@ TEST (ComplexIoFiles, WhatIsWrongAndWhere)
      "line 2: expected a statement, found '?"
      "?"
      "?'"},
-    {".vtk", "", "line 1: not a legacy VTK file"},
-    {".vtk", "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\n",
-     "line 4: expected UNSTRUCTURED_GRID or POLYDATA, found 'structured_points'"},
-    {".vtk", "# vtk DataFile Version 3.0\nt\nBINARY\nDATASET POLYDATA\nPOINTS 1000000000000 float\n",
-     "line 5: more values than the file can hold"},
-    {".vtk", "# vtk DataFile Version 3.0\nt\nBINARY\nDATASET POLYDATA\nPOINTS 1 bit\n",
-     "line 5: expected a type of numbers, found 'bit'"},
-    {".vtk", vtk + "CELLS 1 3\n2 0 1\nCELL_TYPES 1\n3\n", "cell 0 has point 1, which there is not"},
-    {".vtk", vtk + "CELLS 1 3\n7 0 1\nCELL_TYPES 1\n3\n", "line 8: cell 0 is outside of the list of cells"},
-    {".vtk", vtk + "CELLS 1 2\n1 0\nCELL_TYPES 1\n12\n",
-     "cell 0 of type 12 is no point, line, polygon or tetrahedron"},
-    {".vtk", vtk + "CELLS 1 2\n1 0\n", "1 cells, but 0 cell types"},
-    {".vtk", vtk + "POINT_DATA 2\nSCALARS s int\nLOOKUP_TABLE default\n1 2\n",
-     "the array 's' has not one entry a point"},
-    {".vtk", vtk + "NONSENSE\n", "line 7: expected a section of a VTK file, found 'nonsense'"},
-    {".vtu", "", "line 1: not a VTK file"},
-    {".vtu", "<VTKFile type=\"PolyData\">\n", "line 1: no unstructured grid but 'PolyData'"},
-    {".vtu", "<VTKFile type=\"UnstructuredGrid\" compressor=\"vtkLZ4DataCompressor\">\n",
-     "line 1: compressed by 'vtkLZ4DataCompressor', which cannot be read"},
-    {".vtu", "<VTKFile type=\"UnstructuredGrid\">\n</VTKFile>", "the file has no piece of a grid"},
-    {".vtu", vtu + "<DataArray", "line 6: the tag has no end"},
-    {".vtu", vtu + "<DataArray type=Float32>", "line 6: an attribute without a value in quotes"},
-    {".vtu",
-     vtu +
-       "<DataArray type=\"Float32\" Name=\"P\" NumberOfComponents=\"3\" format=\"ascii\">0 0 O</DataArray>",
-     "array 'P': expected a number, found 'O'"},
-    {".vtu",
-     vtu + "<DataArray type=\"Float32\" Name=\"P\" NumberOfComponents=\"2\" format=\"ascii\">0 0</DataArray>",
-     "the points do not have three coordinates each"},
-    {".vtu",
-     vtu + "<DataArray type=\"Float32\" Name=\"P\" NumberOfComponents=\"3\" "
-           "format=\"binary\">////////</DataArray>",
-     "array 'P': the file ends too early"},
-    {".vtu",
-     vtu + "<DataArray type=\"Float32\" Name=\"P\" NumberOfComponents=\"3\" "
-           "format=\"binary\">/////////////w==</DataArray>",
-     "array 'P': an array of 18446744073709551615 bytes, more than the file has"},
-    {".vtu",
-     vtu +
-       "<DataArray type=\"Float32\" Name=\"P\" NumberOfComponents=\"3\" format=\"appended\" offset=\"9\"/>",
-     "array 'P': its data are not in the file"},
   };
   for (const WrongFile& wrong : files) {
     const Loaded file (wrong.extension, wrong.bytes);

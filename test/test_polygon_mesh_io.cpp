@@ -1,5 +1,6 @@
-// Meshes of polygons of any sizes in files, read again by this library and by PCL.
+// Meshes of polygons of any sizes in files, read again by this library, by VTK and by PCL.
 #include "test_apps_folder.h"
+#include "test_vtk_loader.h"
 
 #include <pcl/manifold/complex_io.h>
 
@@ -48,7 +49,8 @@ protected:
   std::size_t triangles ()
   {
     pcl::PCLPointCloud2 cloud;
-    EXPECT_TRUE (loadComplex (file, cloud, complex, error)) << error;
+    const auto load = GetParam ()[1] == 'v' ? loadByVtk : loadComplex;
+    EXPECT_TRUE (load (file, cloud, complex, error)) << error;
     return complex.triangles.size ();
   }
 

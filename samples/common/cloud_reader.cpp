@@ -1,70 +1,62 @@
 #include "cloud_reader.h"
 
-#include "app_error.h"
+#include "app_files.h"
 #include "coordinates.h"
-#include "file_type.h"
-#include "input_file.h"
-#include "off_reader.h"
-#include "pcd_reader.h"
-#include "xyz_reader.h"
 
-#include <pcl/manifold/complex_io.h>
+#include "files/input_file.h"
+#include "files/scanner.h"
 
+#include <algorithm>
+#include <iterator>
 #include <sstream>
 
 namespace pcl::manifold::apps {
 
 namespace {
 
-/** \brief The points of a file that may hold a mesh too. */
-pcl::PCLPointCloud2
-readMeshPoints (const std::string& file)
+struct Format
 {
-  pcl::PCLPointCloud2 cloud;
-  pcl::SimplicialComplex complex;
-  std::string error;
-  if (!pcl::manifold::loadComplex (file, cloud, complex, error))
-    throw AppError (file, error);
-  if (cloud.width == 0 || cloud.height == 0)
-    throw AppError (file, "holds no point");
-  // The names that PCL's point types have.
-  for (pcl::PCLPointField& field : cloud.fields)
-    if (field.name == "nx" || field.name == "ny" || field.name == "nz")
-      field.name = std::string ("normal_") + field.name[1];
-  return cloud;
-}
+  const char* type;
+  FileContent (*read) (std::string_view);
+};
 
-/** \brief Does the file lack the first line of every PLY file? */
-bool
-lacksPlyHeader (const std::string& file)
-{
-  std::string line;
-  InputFile input (file);
-  return input.readLine (line) && line != "ply";
-}
+constexpr Format formats[] = {{".pcd", readPcd},  {".ply", readPly}, {".xyz", readText},
+                              {".txt", readText}, {".off", readOff}, {".obj", readObj}};
 
 } // namespace
 
-const char* const cloud_file_types = ".pcd .ply .xyz .txt .off .obj .vtk .vtu";
+const char* const cloud_file_types = ".pcd .ply .xyz .txt .off .obj";
+
+FileContent
+readFile (const std::string& file, const std::string& types, Reading reading)
+{
+  const std::string type = fileType (file);
+  const Format* const format =
+    std::find_if (std::begin (formats), std::end (formats), [&] (const Format& f) { return f.type == type; });
+  if (format == std::end (formats) || (types + " ").find (type + " ") == std::string::npos)
+    throw AppError (file, "unknown type of file; known are " + types);
+  return about (file, [&] {
+    const InputFile input (file);
+    if (input.bytes ().empty ())
+      throw FileError ("the file is empty");
+    const bool headless =
+      reading == Reading::LAX && type == ".ply" && Scanner (input.bytes ()).wordOnLine () != "ply";
+    FileContent content = headless ? readText (input.bytes ()) : format->read (input.bytes ());
+    if (content.cloud.width == 0 || content.cloud.height == 0)
+      throw FileError ("holds no point");
+    return content;
+  });
+}
 
 InputCloud
 readCloud (const std::string& file, Reading reading)
 {
-  InputCloud input;
-  input.file = file;
-  const std::string type = fileType (file);
-  if (type == ".pcd")
-    input.cloud = readPcd (file, input.viewpoint);
-  else if (type == ".xyz" || type == ".txt" ||
-           (type == ".ply" && reading == Reading::LAX && lacksPlyHeader (file)))
-    input.cloud = readXyz (file, input.notes);
-  else if (type == ".off")
-    input.cloud = readOffVertices (file);
-  else if (type == ".ply" || type == ".obj" || type == ".vtk" || type == ".vtu")
-    input.cloud = readMeshPoints (file);
-  else
-    throw AppError (file, "unknown type of file; known are " + std::string (cloud_file_types));
-
+  InputCloud input{readFile (file, cloud_file_types, reading), file, {}, 0};
+  // The names that PCL's point types have.
+  if (fileType (file) == ".ply")
+    for (pcl::PCLPointField& field : input.cloud.fields)
+      if (field.name == "nx" || field.name == "ny" || field.name == "nz")
+        field.name = std::string ("normal_") + field.name[1];
   const CoordinateShift shift = makeCoordinatesFloat (input.cloud, file);
   input.origin = shift.origin;
   input.no_measurement = shift.no_measurement;

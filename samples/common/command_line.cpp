@@ -1,8 +1,8 @@
 #include "command_line.h"
 
 #include "app_error.h"
-#include "file_type.h"
-#include "number_text.h"
+#include "app_files.h"
+#include "files/number_text.h"
 #include "table.h"
 
 #include <boost/program_options.hpp>

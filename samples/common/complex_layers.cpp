@@ -1,6 +1,6 @@
 #include "complex_layers.h"
 
-#include "cloud_fields.h"
+#include "files/cloud_fields.h"
 #include "table.h"
 
 #include <cstring>

@@ -1,8 +1,7 @@
 #include "coordinates.h"
 
 #include "app_error.h"
-#include "cloud_fields.h"
-#include "number_text.h"
+#include "files/cloud_fields.h"
 
 #include <pcl/PCLPointField.h>
 #include <pcl/manifold/bulk_box.h>
@@ -35,7 +34,7 @@ valuesOf (const pcl::PCLPointCloud2& cloud, const pcl::PCLPointField& field)
 {
   Axis values (static_cast<std::size_t> (cloud.width) * cloud.height);
   for (std::size_t i = 0; i < values.size (); ++i)
-    values[i] = fieldAsDouble (field.datatype, &cloud.data[i * cloud.point_step + field.offset]);
+    values[i] = toDouble (field.datatype, &cloud.data[i * cloud.point_step + field.offset]);
   return values;
 }
 

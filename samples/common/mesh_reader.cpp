@@ -3,14 +3,13 @@
 #include "app_error.h"
 #include "complex_layers.h"
 #include "coordinates.h"
-#include "file_type.h"
 
 #include <pcl/conversions.h>
-#include <pcl/manifold/complex_io.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
 #include <cmath>
+#include <utility>
 
 namespace pcl::manifold::apps {
 namespace {
@@ -41,18 +40,12 @@ checkPoints (const std::string& file, const Positions& positions, const Simplice
 
 } // namespace
 
-const char* const mesh_file_types = ".ply .obj .vtk .vtu";
+const char* const mesh_file_types = ".ply .obj";
 
 InputMesh
 readMesh (const std::string& file, const InputCloud& cloud)
 {
-  const std::string type = fileType (file);
-  if (type != ".ply" && type != ".obj" && type != ".vtk" && type != ".vtu")
-    throw AppError (file, std::string ("unknown type of mesh; known are ") + mesh_file_types);
-  InputMesh mesh;
-  std::string error;
-  if (!pcl::manifold::loadComplex (file, mesh.cloud, mesh.complex, error))
-    throw AppError (file, error);
+  FileContent mesh = readFile (file, mesh_file_types);
   if (mesh.complex.triangles.empty () && mesh.complex.tetrahedra.empty ())
     throw AppError (file, "holds no face");
   std::array<double, 3> offset = makeCoordinatesFloat (mesh.cloud, file).origin;
@@ -64,7 +57,7 @@ readMesh (const std::string& file, const InputCloud& cloud)
   const auto positions = positionsOf (mesh.cloud);
   checkPoints (file, *positions, mesh.complex.triangles);
   checkPoints (file, *positions, mesh.complex.tetrahedra);
-  return mesh;
+  return {std::move (mesh.cloud), std::move (mesh.complex)};
 }
 
 } // namespace pcl::manifold::apps

@@ -1,8 +1,6 @@
 #include "picture.h"
 
-#include "app_error.h"
-#include "atomic_file.h"
-#include "output_stream.h"
+#include "app_files.h"
 #include "picture_display.h"
 #include "render_panels.h"
 
@@ -38,9 +36,7 @@ writePicture (const std::string& file, const std::string& title, const std::vect
   const std::string png = renderPanels (title, panels, width, height);
   if (png.empty ())
     throw AppError (file, "the picture could not be drawn");
-  writeStream (file, [&png] (std::ostream& stream) {
-    stream.write (png.data (), static_cast<std::streamsize> (png.size ()));
-  });
+  writeFile (file, png);
 }
 
 } // namespace pcl::manifold::apps

@@ -1,11 +1,10 @@
 #include "report.h"
 
-#include "output_stream.h"
+#include "app_files.h"
 
 #include <json/writer.h>
 
 #include <cmath>
-#include <memory>
 
 #include <sys/resource.h>
 
@@ -84,11 +83,7 @@ Report::write (const std::string& file) const
   Json::StreamWriterBuilder builder;
   builder["indentation"] = "  ";
   builder["precision"] = 17;
-  const std::unique_ptr<Json::StreamWriter> writer (builder.newStreamWriter ());
-  writeStream (file, [&] (std::ostream& stream) {
-    writer->write (root_, &stream);
-    stream << '\n';
-  });
+  writeFile (file, Json::writeString (builder, root_) + '\n');
 }
 
 } // namespace pcl::manifold::apps

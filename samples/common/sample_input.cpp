@@ -1,6 +1,6 @@
 #include "sample_input.h"
 
-#include "atomic_file.h"
+#include "app_files.h"
 
 #include <pcl/conversions.h>
 

@@ -1,8 +1,7 @@
 #include "graph_viewer_window.h"
 
-#include "app_error.h"
+#include "app_files.h"
 #include "interrupt.h"
-#include "output_stream.h"
 #include "picture.h"
 #include "view.h"
 #include "window_png.h"
@@ -171,9 +170,7 @@ GraphViewerWindow::saveScreenshot (const std::string& file)
   const std::string png = windowPng (window, 1);
   if (png.empty ())
     throw AppError (file, "the picture could not be drawn");
-  writeStream (file, [&png] (std::ostream& stream) {
-    stream.write (png.data (), static_cast<std::streamsize> (png.size ()));
-  });
+  writeFile (file, png);
 }
 
 } // namespace pcl::manifold::apps

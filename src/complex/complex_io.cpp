@@ -1,13 +1,12 @@
 #include <pcl/manifold/complex_io.h>
 
-#include "complex/files/file_error.h"
-#include "complex/files/formats.h"
-#include "complex/files/input_file.h"
-#include "complex/files/output_file.h"
+#include "files/file_error.h"
+#include "files/formats.h"
+#include "files/input_file.h"
+#include "files/output_file.h"
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
+#include <iterator>
 #include <new>
 #include <utility>
 
@@ -19,28 +18,30 @@ namespace {
 struct Format
 {
   const char* extension;
-  FileContent (*read) (std::string_view);
+  FileContent (*read) (std::string_view); ///< nullptr for what is written only
   void (*write) (OutputFile&, const CloudFields&, const FileCells&, bool);
 };
 
 constexpr Format formats[] = {
   {".ply", readPly, writePly},
   {".obj", readObj, writeObj},
-  {".vtk", readVtk, writeVtk},
-  {".vtu", readVtu, writeVtu},
+  {".vtk", nullptr, writeVtk},
+  {".vtu", nullptr, writeVtu},
 };
 
+/** \throw FileError with what to use instead, if the file has none of the extensions, or it cannot be read */
 const Format&
-formatOf (const std::string& file)
+formatOf (const std::string& file, bool reading)
 {
-  std::string extension = std::filesystem::path (file).extension ().string ();
-  std::transform (extension.begin (), extension.end (), extension.begin (),
-                  [] (unsigned char c) { return static_cast<char> (std::tolower (c)); });
-  for (const Format& format : formats)
-    if (extension == format.extension)
-      return format;
-  throw FileError (extension.empty () ? "no extension; use .ply, .obj, .vtk or .vtu"
-                                      : "unknown extension " + extension + "; use .ply, .obj, .vtk or .vtu");
+  const std::string extension = fileType (file);
+  const Format* const format = std::find_if (std::begin (formats), std::end (formats),
+                                             [&] (const Format& f) { return extension == f.extension; });
+  if (format != std::end (formats) && (format->read != nullptr || !reading))
+    return *format;
+  throw FileError ((extension.empty ()             ? "no extension"
+                    : format == std::end (formats) ? "unknown extension " + extension
+                                                   : extension + " is written only") +
+                   (reading ? "; use .ply or .obj" : "; use .ply, .obj, .vtk or .vtu"));
 }
 
 /** \brief Runs something that may fail and puts why it did into one line. */
@@ -91,7 +92,7 @@ canSaveComplex (const std::string& file, std::string& error)
 {
   return succeeds (
     [&] {
-      formatOf (file);
+      formatOf (file, false);
       // Whether the folder can be written to is not told by its permissions alone: try.
       OutputFile probe (file);
     },
@@ -104,7 +105,7 @@ saveComplex (const std::string& file, const pcl::PCLPointCloud2& cloud, const Si
 {
   return succeeds (
     [&] {
-      const Format& format = formatOf (file);
+      const Format& format = formatOf (file, false);
       const CloudFields fields (cloud);
       std::string why;
       if (!isValid (complex, fields.points (), &why))
@@ -121,7 +122,7 @@ savePolygonMesh (const std::string& file, const pcl::PolygonMesh& mesh, std::str
 {
   return succeeds (
     [&] {
-      const Format& format = formatOf (file);
+      const Format& format = formatOf (file, false);
       const CloudFields fields (mesh.cloud);
       SimplicialComplex edges;
       FaceRows faces;
@@ -140,7 +141,7 @@ loadComplex (const std::string& file, pcl::PCLPointCloud2& cloud, SimplicialComp
   FileContent content;
   const bool loaded = succeeds (
     [&] {
-      const Format& format = formatOf (file);
+      const Format& format = formatOf (file, true);
       content = format.read (InputFile (file).bytes ());
     },
     error);

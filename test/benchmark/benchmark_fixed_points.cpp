@@ -5,7 +5,7 @@
 #include <app_error.h>
 #include <app_main.h>
 #include <generate/catalogue.h>
-#include <number_text.h>
+#include <files/number_text.h>
 
 #include <pcl/manifold/cocone_shape.h>
 #include <pcl/manifold/fixed_point_reconstruction.h>

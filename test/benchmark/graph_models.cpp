@@ -3,7 +3,7 @@
 #include <app_error.h>
 #include <generate/catalogue.h>
 #include <generate/sampling.h>
-#include <number_text.h>
+#include <files/number_text.h>
 #include <sample_input.h>
 
 #include <filesystem>

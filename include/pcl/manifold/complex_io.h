@@ -9,6 +9,7 @@
 
 /** \file
  * Files of complexes: PLY, OBJ, legacy VTK and VTU, told apart by their extensions in lower or upper case.
+ * All are written, PLY and OBJ are read as well.
  *
  * | | .ply | .obj | .vtk, .vtu |
  * |---|---|---|---|
@@ -19,9 +20,10 @@
  *
  * Numbers are written such that reading them gives the same bits again. Fields of the cloud keep their names,
  * types and counts but for these: a field `rgb` or `rgba` that packs a colour into 4 bytes is written as
- * `red`, `green`, `blue` (and `alpha` for `rgba`) in PLY, and as an array of 3 or 4 bytes in VTK's formats,
- * and is packed again when it is read; the unused fourth byte of `rgb` is 255 then. BOOL comes back as UINT8.
- * PLY has no 64-bit integers: they are written as `double`, and a value that no double can hold is an error.
+ * `red`, `green`, `blue` (and `alpha` for `rgba`) in PLY, where it is packed again when it is read, the
+ * unused fourth byte of `rgb` being 255 then, and as an array of 3 or 4 bytes in VTK's formats. BOOL comes
+ * back as UINT8. The rows and columns of an organised cloud are kept in PLY, as PCL's own writer does it. PLY
+ * has no 64-bit integers: they are written as `double`, and a value that no double can hold is an error.
  * Padding (fields named `_`) is not written. A field of several values is a list property in PLY, as PCL
  * writes it. */
 
@@ -29,7 +31,8 @@ namespace pcl {
 namespace manifold {
 
 /** \brief Can this file be written, as far as can be told now? For asking before a long computation: checks
- * the extension, that the folder exists and can be written to, and that the file, if there, is a regular one.
+ * the extension, that the folder exists and can be written to, and that the file, if there, is a regular one
+ * that may be written.
  * \param[in] file the file's name
  * \param[out] error one line, without the file's name, when the answer is no
  * \return true if saveComplex () has a chance
@@ -37,7 +40,7 @@ namespace manifold {
 PCL_MANIFOLD_CORE_EXPORTS bool canSaveComplex (const std::string& file, std::string& error);
 
 /** \brief Write a complex and its cloud. An existing file is replaced once the new one is complete, and stays
- * as it is when anything fails.
+ * as it is when anything fails; the new one has its mode. One that may not be written is not replaced.
  * \param[in] file the extension says which format
  * \param[in] cloud the points; for OBJ and VTK's formats with fields x, y, z
  * \param[in] complex must be valid for the cloud, see isValid ()
@@ -65,16 +68,15 @@ PCL_MANIFOLD_CORE_EXPORTS bool savePolygonMesh (const std::string& file, const p
  *
  * PLY: ASCII and binary of either byte order; elements and properties that mean nothing here are skipped. A
  * list property of the vertices becomes a field of several values if all lists are of one length, and is
- * skipped otherwise. OBJ: `v`, `l` and `f`, with or without texture and normal indices, counted from the
- * start or, negative, from the end; other statements are skipped. Coordinates become FLOAT64 if one of them
- * is written with more than nine digits, FLOAT32 otherwise. VTK: unstructured grids and polygonal data, ASCII
- * and binary; VTU: one piece, any encoding, without compression or with zlib's. Point data become fields;
- * cells other than points, lines, triangles, polygons and tetrahedra are an error.
+ * skipped otherwise. OBJ: `v`, `vn`, `l` and `f`, with or without texture and normal indices, counted from
+ * the start or, negative, from the end; other statements are skipped. Coordinates become FLOAT64 if one of
+ * them is written with more than nine digits, FLOAT32 otherwise. Colours behind the coordinates become a
+ * field `rgb`, normals `normal_x`, `normal_y` and `normal_z`, where every point has one.
  *
  * Polygons of more than three vertices are cut into triangles from their first vertex on, polylines into
  * edges; polygons of two vertices are taken for edges. Simplices with a repeated vertex are left out. The
  * direction of faces and tetrahedra is that of the file. Points may have coordinates that are not finite.
- * \param[in] file the extension says which format
+ * \param[in] file the extension says which format: .ply or .obj
  * \param[out] cloud the points, in the order of the file; empty on failure
  * \param[out] complex indices are valid for the cloud; empty on failure
  * \param[out] error on failure one line with the line or the byte of the file, without the file's name

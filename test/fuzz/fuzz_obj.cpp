@@ -1,0 +1,7 @@
+#include "fuzz_reader.h"
+
+extern "C" int
+LLVMFuzzerTestOneInput (const std::uint8_t* data, std::size_t size)
+{
+  return fuzz::read (pcl::manifold::readObj, data, size);
+}
