@@ -10,8 +10,6 @@
 #include <pcl/manifold/cocone_shape.h>
 #include <pcl/manifold/complex_io.h>
 
-#include <iostream>
-
 using namespace pcl::manifold;
 using namespace pcl::manifold::apps;
 
@@ -74,10 +72,11 @@ main (int argc, char** argv)
 
     Report report ("pcl_cocone_shape");
     Table table;
-    describeInput (input, *reconstruction.getDelaunayComplex ()->samples, report, table);
+    const SampleSet& samples = *reconstruction.getDelaunayComplex ()->samples;
+    describeInput (input, samples, report, table);
     options.describe (report);
     report.parameter ("watertight", watertight);
-    describeTopology (analyze (shape), report, table);
+    describeTopology (analyze (shape), static_cast<std::size_t> (samples.size ()), report, table);
     describeStages (reconstruction.getStages (), report, table);
 
     if (!saveComplex (output_file, input.cloud, shape, error))
@@ -87,9 +86,6 @@ main (int argc, char** argv)
       input_file,
       {{"points", layersByDimension (positions, dimensionsOfPoints (*reconstruction.getSampleDimensions ()))},
        {"shape", layersOf (positions, shape)}});
-    if (!common.report.empty ())
-      report.write (common.report);
-    if (!common.quiet)
-      table.print (std::cout);
+    report.finish (common, table);
   });
 }

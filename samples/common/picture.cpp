@@ -2,8 +2,8 @@
 
 #include "app_error.h"
 #include "atomic_file.h"
+#include "offscreen_window.h"
 #include "output_stream.h"
-#include "picture_display.h"
 #include "render_panels.h"
 
 #include <stdexcept>
@@ -16,13 +16,11 @@ Picture::Picture (const std::string& file) : file_ (file)
     return;
   checkWritable (file);
   try {
-    display_ = std::make_unique<PictureDisplay> ();
+    makeOffscreenWindow ();
   } catch (const std::runtime_error& error) {
     throw AppError (file, error.what ());
   }
 }
-
-Picture::~Picture () = default;
 
 void
 Picture::draw (const std::string& title, const std::vector<Panel>& panels, int width, int height) const

@@ -12,11 +12,14 @@ void
 ThinningOptions::declare (CommandLine& command_line)
 {
   command_line
-    .option ("k", "k",
+    .option ("thin", "k",
              "thin the cloud: no two samples among each other's k nearest neighbours; 0 = off.\n"
              "4 to 8 for airborne scans, 12 to 48 for random or noisy points: no more than it takes",
-             k, {0, 100000})
-    .option ("spacing", "h", "thin the cloud: no two samples nearer than h; 0 = off", spacing, {0, 1e300})
+             neighbors, {0, 100000})
+    .option ("thin-distance", "h", "thin the cloud: no two samples nearer than h; 0 = off", distance,
+             {0, 1e300})
+    .renamed ("k", "thin")
+    .renamed ("spacing", "thin-distance")
     .common (common);
 }
 
@@ -30,8 +33,8 @@ ThinningOptions::checkReport () const
 void
 ThinningOptions::describe (Report& report) const
 {
-  report.parameter ("k", k);
-  report.parameter ("spacing", spacing);
+  report.parameter ("thin", neighbors);
+  report.parameter ("thin_distance", distance);
   report.parameter ("threads", common.threads);
 }
 
@@ -69,30 +72,30 @@ printNotes (const InputCloud& input, bool quiet)
 void
 describeInput (const InputCloud& input, const SampleSet& samples, Report& report, Table& table)
 {
-  describeInput (
-    input,
-    {samples.non_finite, samples.duplicates, samples.thinned, static_cast<std::size_t> (samples.size ())},
-    report, table);
+  describeInput (input,
+                 {input.size (), samples.non_finite, samples.duplicates, samples.thinned,
+                  static_cast<std::size_t> (samples.size ())},
+                 report, table);
 }
 
 void
 describeInput (const InputCloud& input, const PointCounts& counts, Report& report, Table& table)
 {
   report.input ("file", input.file);
-  report.input ("points", Json::UInt64 (input.size ()));
+  report.input ("points", Json::UInt64 (counts.points));
   report.input ("dropped", Json::UInt64 (counts.dropped));
   report.input ("duplicates", Json::UInt64 (counts.duplicates));
   report.input ("thinned", Json::UInt64 (counts.thinned));
   report.input ("samples", Json::UInt64 (counts.samples));
   Json::Value origin (Json::arrayValue);
   for (const double coordinate : input.origin)
-    origin.append (coordinate);
+    origin.append (coordinate + 0.0); // no -0
   report.input ("origin", origin);
-  table.row ("points", input.size ());
-  if (counts.dropped > 0)
-    table.row ("dropped, not finite", counts.dropped);
-  if (counts.duplicates > 0)
-    table.row ("duplicates", counts.duplicates);
+  Json::Value notes (Json::arrayValue);
+  for (const std::string& note : input.notes)
+    notes.append (note);
+  report.input ("notes", notes);
+  report.say ({inWords (counts)});
   table.row ("samples", counts.samples);
 }
 

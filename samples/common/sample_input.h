@@ -3,6 +3,7 @@
 #include "cloud_reader.h"
 #include "command_line.h"
 #include "report.h"
+#include "summary.h"
 #include "table.h"
 
 #include <pcl/manifold/detail/sample_set.h>
@@ -17,11 +18,11 @@ namespace pcl::manifold::apps {
 /** \brief The options that all apps of the Delaunay family hand on to their class. */
 struct ThinningOptions
 {
-  int k = 0;
-  double spacing = 0.0;
+  int neighbors = 0;
+  double distance = 0.0;
   CommonOptions common;
 
-  /** \brief Declares `-k`, `-spacing` and the common options. */
+  /** \brief Declares `-thin`, `-thin-distance` and the common options. */
   void declare (CommandLine& command_line);
 
   /** \brief Checks early that what the common options ask for can be written. */
@@ -33,8 +34,8 @@ struct ThinningOptions
   template <typename Class>
   void apply (Class& object) const
   {
-    object.setKSearch (k);
-    object.setSpacing (spacing);
+    object.setKSearch (neighbors);
+    object.setSpacing (distance);
     object.setNumberOfThreads (static_cast<unsigned int> (common.threads));
   }
 };
@@ -63,15 +64,6 @@ pcl::PointCloud<pcl::PointXYZ>::Ptr pointsOf (const InputCloud& input);
 
 /** \brief Tells the user what was noticed while the cloud was read, on standard error. */
 void printNotes (const InputCloud& input, bool quiet);
-
-/** \brief What became of the points of a cloud. */
-struct PointCounts
-{
-  std::size_t dropped = 0;    ///< not finite
-  std::size_t duplicates = 0; ///< of other points
-  std::size_t thinned = 0;    ///< left out by thinning
-  std::size_t samples = 0;    ///< all others
-};
 
 /** \brief Reports and tabulates what became of the points of a cloud, and the stages of a computation. */
 void describeInput (const InputCloud& input, const PointCounts& counts, Report& report, Table& table);
