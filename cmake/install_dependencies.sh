@@ -10,10 +10,9 @@
 set -euo pipefail
 
 build=(g++ cmake ninja-build libpcl-dev libcgal-dev libtbb-dev libeigen3-dev libboost-dev
-  libboost-program-options-dev libjsoncpp-dev libvtk9-dev)
-samples=(xvfb xauth libgl1-mesa-dri libcgal-demo)
-test=(libgtest-dev clang-format-14 ccache doxygen pkg-config dpkg-dev file git xvfb xauth libgl1-mesa-dri
-  libcgal-demo)
+  libboost-program-options-dev libjsoncpp-dev libvtk9-dev libegl-dev libx11-dev)
+samples=(libegl1 libgl1-mesa-dri libcgal-demo)
+test=(libgtest-dev clang-format-14 ccache doxygen pkg-config dpkg-dev file git libegl1 libgl1-mesa-dri libcgal-demo)
 check=(clang-14 clang-tidy-14 libclang-rt-14-dev)
 
 fail () { echo "error: $*" >&2; exit 1; }

@@ -255,9 +255,6 @@ main (int argc, char** argv)
     const std::vector<std::uint8_t> labels (cloud.labels.begin (), cloud.labels.end ());
     picture.draw (request.shape, {{"true dimension", layersByDimension (positionsOf (message), labels)}});
     writePcd (request.file, message);
-    if (!common.report.empty ())
-      report.write (common.report);
-    if (!common.quiet)
-      table.print (std::cout);
+    report.finish (common, table);
   });
 }

@@ -16,7 +16,6 @@
 #include <pcl/manifold/mesh_pieces.h>
 
 #include <iomanip>
-#include <iostream>
 #include <sstream>
 
 // From a mesh over a few points, made of neighbourhoods alone, to one over all of them: GraphReconstruction,
@@ -83,7 +82,6 @@ describeMeshes (const std::vector<Triangles>& meshes, const Eigen::Matrix3Xd& po
   const TriangleMesh last{points, meshes.back ()};
   const double edge = meanEdge (last);
   const double step = 0.5 * edge;
-  const MeshDistance to_last (last);
   const Eigen::Matrix3Xd places = placesOn (last, step);
   Json::Value list (Json::arrayValue);
   for (std::size_t i = 0; i < meshes.size (); ++i) {
@@ -93,7 +91,7 @@ describeMeshes (const std::vector<Triangles>& meshes, const Eigen::Matrix3Xd& po
     const SurfaceTopology topology = analyze (complex).surface;
     double distance = 0.0;
     if (i + 1 < meshes.size () && !meshes[i].empty ())
-      distance = std::max (to_last.largestOf (placesOn (mesh, step)), MeshDistance (mesh).largestOf (places));
+      distance = std::max (largestDistance (placesOn (mesh, step), last), largestDistance (places, mesh));
     Json::Value json (Json::objectValue);
     json["triangles"] = Json::UInt64 (topology.faces);
     json["vertices"] = Json::UInt64 (topology.vertices);
@@ -166,9 +164,7 @@ main (int argc, char** argv)
     options.describe (report);
     describeMeshes (iterate (*landmarks, complex), cloud->getMatrixXfMap (3, 4, 0).cast<double> (), report,
                     table);
-    const pcl::TopologyReport topology = analyze (surface);
-    describeTopology (topology, report, table);
-    noteNonManifold (input_file, topology.surface, common.quiet);
+    describeTopology (analyze (surface), static_cast<std::size_t> (complex.samples->size ()), report, table);
     describeStages (reconstruction.getStages (), report, table);
 
     if (!saveComplex (output_file, input.cloud, surface, error))
@@ -176,9 +172,6 @@ main (int argc, char** argv)
     const auto positions = positionsOf (input.cloud);
     picture.draw (input_file, {{"landmarks", layersOf (positions, trianglesOf (*landmarks))},
                                {"fixed point", layersOf (positions, surface)}});
-    if (!common.report.empty ())
-      report.write (common.report);
-    if (!common.quiet)
-      table.print (std::cout);
+    report.finish (common, table);
   });
 }

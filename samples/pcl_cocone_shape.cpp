@@ -10,8 +10,6 @@
 #include <pcl/manifold/cocone_shape.h>
 #include <pcl/manifold/complex_io.h>
 
-#include <iostream>
-
 using namespace pcl::manifold;
 using namespace pcl::manifold::apps;
 
@@ -80,7 +78,7 @@ main (int argc, char** argv)
     describeContradiction (input, reconstruction.getContradictedCount (), counts, options, report);
     options.describe (report);
     report.parameter ("watertight", watertight);
-    describeTopology (analyze (shape), report, table);
+    describeTopology (analyze (shape), counts.samples, report, table);
     describeStages (reconstruction.getStages (), report, table);
 
     if (!saveComplex (output_file, input.cloud, shape, error))
@@ -90,9 +88,6 @@ main (int argc, char** argv)
       input_file,
       {{"points", layersByDimension (positions, dimensionsOfPoints (*reconstruction.getSampleDimensions ()))},
        {"shape", layersOf (positions, shape)}});
-    if (!common.report.empty ())
-      report.write (common.report);
-    if (!common.quiet)
-      table.print (std::cout);
+    report.finish (common, table);
   });
 }

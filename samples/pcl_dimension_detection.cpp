@@ -9,7 +9,6 @@
 #include <pcl/manifold/dimension_detection.h>
 
 #include <algorithm>
-#include <iostream>
 
 using namespace pcl::manifold;
 using namespace pcl::manifold::apps;
@@ -22,7 +21,8 @@ countOf (const std::vector<std::uint8_t>& labels, int label)
   return static_cast<std::size_t> (std::count (labels.begin (), labels.end (), label));
 }
 
-void
+/** \return the counts in words */
+std::string
 describeDimensions (const std::string& name, const std::vector<std::uint8_t>& labels, Report& report,
                     Table& table)
 {
@@ -37,6 +37,7 @@ describeDimensions (const std::string& name, const std::vector<std::uint8_t>& la
   }
   report.result (name, counts);
   table.row (name, text);
+  return text;
 }
 
 } // namespace
@@ -57,7 +58,7 @@ main (int argc, char** argv)
   const CommonOptions& common = options.common;
   command_line.positional ("INPUT", std::string ("cloud: ") + cloud_file_types, input_file)
     .positional ("OUTPUT", "cloud with the fields of the input and the new ones: .pcd", output_file)
-    .example ("pcl_dimension_detection scan.pcd dimensions.pcd -k 6 -picture dimensions.png");
+    .example ("pcl_dimension_detection scan.pcd dimensions.pcd -thin 6 -picture dimensions.png");
 
   options.declare (command_line);
 
@@ -102,7 +103,8 @@ main (int argc, char** argv)
     report.result ("affine_dimension", detection.getDelaunayComplex ()->affine_dimension);
     report.result ("tetrahedra", detection.getDelaunayComplex ()->finite_cells);
     describeDimensions ("dimension", dimension, report, table);
-    describeDimensions ("manifold_dimension", manifold_dimension, report, table);
+    report.say ({"points by dimension: " +
+                 describeDimensions ("manifold_dimension", manifold_dimension, report, table)});
     report.result ("boundary", Json::UInt64 (countOf (boundary, 1)));
     table.row ("boundary", countOf (boundary, 1));
     describeStages (detection.getStages (), report, table);
@@ -111,9 +113,6 @@ main (int argc, char** argv)
     picture.draw (input_file, {{"dimension, as published", layersByDimension (positions, dimension)},
                                {"manifold dimension", layersByDimension (positions, manifold_dimension)}});
     writePcd (output_file, input.cloud, input.viewpoint);
-    if (!common.report.empty ())
-      report.write (common.report);
-    if (!common.quiet)
-      table.print (std::cout);
+    report.finish (common, table);
   });
 }

@@ -10,7 +10,6 @@
 #include <pcl/manifold/complex_io.h>
 #include <pcl/manifold/fixed_point_reconstruction.h>
 
-#include <iostream>
 #include <optional>
 
 using namespace pcl::manifold;
@@ -149,17 +148,12 @@ main (int argc, char** argv)
     describeInput (input, counts, report, table);
     describeParameters (request, report);
     describeTriangles (request, reconstruction, report, table);
-    const pcl::TopologyReport topology = analyze (surface);
-    describeTopology (topology, report, table);
-    noteNonManifold (request.input, topology.surface, common.quiet);
+    describeTopology (analyze (surface), counts.samples, report, table);
     describeStages (reconstruction.getStages (), report, table);
 
     if (!saveComplex (request.output, input.cloud, surface, error))
       throw AppError (request.output, error);
     drawPicture (picture, input, initial, surface);
-    if (!common.report.empty ())
-      report.write (common.report);
-    if (!common.quiet)
-      table.print (std::cout);
+    report.finish (common, table);
   });
 }

@@ -16,7 +16,6 @@
 #include <pcl/manifold/graph_reconstruction.h>
 
 #include <algorithm>
-#include <iostream>
 
 using namespace pcl::manifold;
 using namespace pcl::manifold::apps;
@@ -31,11 +30,23 @@ countsOf (const InputCloud& input, const Reconstruction& reconstruction)
   const std::vector<pcl::index_t> tiles = reconstruction.getTiles ();
   PointCounts counts;
   const auto left_out = static_cast<std::size_t> (std::count (tiles.begin (), tiles.end (), -1));
+  counts.points = input.size ();
   counts.no_measurement = reconstruction.getNoMeasurementCount () + input.no_measurement;
   counts.dropped = left_out - counts.no_measurement;
   counts.samples = reconstruction.getVertices ().size ();
   counts.duplicates = input.size () - left_out - counts.samples;
   return counts;
+}
+
+FaceRows
+rowsOf (const pcl::PolygonMesh& mesh)
+{
+  FaceRows rows;
+  for (const pcl::Vertices& polygon : mesh.polygons) {
+    rows.vertices.insert (rows.vertices.end (), polygon.vertices.begin (), polygon.vertices.end ());
+    rows.starts.push_back (rows.vertices.size ());
+  }
+  return rows;
 }
 
 void
@@ -110,20 +121,16 @@ main (int argc, char** argv)
     describeLandmarks (reconstruction.getReport (), report, table);
     report.result ("polygons", Json::UInt64 (mesh.polygons.size ()));
     table.row ("polygons written", mesh.polygons.size ());
-    if (options.parameters.triangulate) {
-      const pcl::TopologyReport topology = analyze (trianglesOf (mesh));
-      describeTopology (topology, report, table);
-      noteNonManifold (input_file, topology.surface, common.quiet);
-    }
+    if (options.parameters.triangulate)
+      describeTopology (analyze (trianglesOf (mesh)), 0, report, table);
+    else
+      report.say (inWords ("surface", analyzeSurface (rowsOf (mesh))));
     describeStages (reconstruction.getStages (), report, table);
 
     mesh.cloud = input.cloud;
     if (!savePolygonMesh (output_file, mesh, error))
       throw AppError (output_file, error);
     drawPicture (picture, input, reconstruction);
-    if (!common.report.empty ())
-      report.write (common.report);
-    if (!common.quiet)
-      table.print (std::cout);
+    report.finish (common, table);
   });
 }

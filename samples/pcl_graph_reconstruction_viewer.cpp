@@ -1,10 +1,11 @@
 #include "app_error.h"
 #include "app_files.h"
 #include "app_main.h"
+#include "display_check.h"
 #include "graph_options.h"
 #include "graph_viewer_model.h"
 #include "graph_viewer_window.h"
-#include "picture_display.h"
+#include "picture.h"
 #include "sample_input.h"
 
 #include <pcl/manifold/complex_io.h>
@@ -12,32 +13,10 @@
 #include <filesystem>
 #include <iterator>
 #include <sstream>
-#include <stdexcept>
 #include <vector>
 
 using namespace pcl::manifold;
 using namespace pcl::manifold::apps;
-
-namespace {
-
-/** \brief A display, or a failure that tells the user what to do. */
-std::unique_ptr<PictureDisplay>
-openDisplay (const std::string& subject, bool interactive)
-{
-  try {
-    auto display = std::make_unique<PictureDisplay> ();
-    if (interactive && display->isVirtual ())
-      throw AppError (subject,
-                      "a window needs a display that VTK can draw on: set DISPLAY, or use -screenshot");
-    return display;
-  } catch (const std::runtime_error& error) {
-    if (dynamic_cast<const AppError*> (&error) != nullptr)
-      throw;
-    throw AppError (subject, error.what ());
-  }
-}
-
-} // namespace
 
 int
 main (int argc, char** argv)
@@ -79,13 +58,13 @@ main (int argc, char** argv)
         throw UsageError ("-keys", "there is no key '" + key + "', see -h");
     requireType ("-picture", outputs.picture, {".png"});
     requireType ("-mesh", outputs.mesh, {".ply", ".obj", ".vtk", ".vtu"});
-    if (!screenshot.empty ()) {
+    if (!screenshot.empty ())
       requireType ("-screenshot", screenshot, {".png"});
-      checkWritable (screenshot);
-    }
+    else if (!canOpenWindow ())
+      throw AppError (input_file, "a window needs a display with OpenGL: set DISPLAY, or use -screenshot");
+    const Picture is_possible (screenshot);
     const InputCloud input = readCloud (input_file, Reading::LAX);
     printNotes (input, options.common.quiet);
-    const std::unique_ptr<PictureDisplay> display = openDisplay (input_file, screenshot.empty ());
 
     GraphViewerModel model (input, options.parameters);
     if (model.status () != Status::OK && model.status () != Status::DIMENSION_TOO_LOW)

@@ -39,12 +39,11 @@ else
   say "going on with the generated clouds alone"
 fi
 
-# Runs an app on a cloud, with options of the app; the results are named after both. Pictures are drawn on a
-# virtual display.
+# Runs an app on a cloud, with options of the app; the results are named after both.
 run () {
   local app=$1 kind=$2 cloud=$3 type=$4
   say "$kind of $cloud"
-  xvfb-run -a "$bin/$app" "$out/clouds/$cloud" "$out/${cloud%.*}-$kind.$type" "${@:5}" \
+  "$bin/$app" "$out/clouds/$cloud" "$out/${cloud%.*}-$kind.$type" "${@:5}" \
     -report "$out/${cloud%.*}-$kind.json" -picture "$out/${cloud%.*}-$kind.png"
 }
 dimension () { run pcl_dimension_detection dimension "$1" pcd "${@:2}"; }
@@ -57,7 +56,7 @@ say "4/7 dimension: which points lie on curves, on surfaces, in solids"
 dimension scene.pcd
 dimension lidar-aerial.pcd
 if [ ${#real[@]} -gt 0 ]; then
-  dimension b9_training.ply -k 4
+  dimension b9_training.ply -thin 4
 fi
 
 say "5/7 shape: edges, triangles and tetrahedra"
@@ -66,7 +65,7 @@ if [ ${#real[@]} -gt 0 ]; then
   shape kitten.xyz
   shape bunny00.off -watertight
   shape knot1.off
-  shape b9_training.ply -k 4
+  shape b9_training.ply -thin 4
 fi
 
 say "6/7 a coarse mesh from graph distances alone"

@@ -17,7 +17,9 @@ goodPcd ()
   return pcd (POINTS, data);
 }
 
-const std::vector<const char*> WRONG = {"-rho 0", "-rho nan", "-rho 2", "-rho three", "-rho", "-spacing -1"};
+const std::vector<const char*> WRONG = {"-rho 0",        "-rho nan",          "-rho 2",    "-rho three",
+                                        "-rho",          "-thin -1",          "-thin 2.5", "-thin five",
+                                        "-thin 5 -thin", "-thin-distance -1", "-k 5",      "-spacing 1"};
 
 INSTANTIATE_TEST_SUITE_P (
   Both, Apps,
@@ -25,5 +27,23 @@ INSTANTIATE_TEST_SUITE_P (
                    App{"pcl_cocone_shape", COCONE_SHAPE_APP, "out.ply", goodPcd, WRONG},
                    App{"pcl_cocone_shape", COCONE_SHAPE_APP, "out.vtu", goodPcd, WRONG}),
   [] (const auto& tested) { return nameOf (tested.param); });
+
+TEST_P (Apps, NameTheOptionThatIsCalledOtherwiseNow)
+{
+  folder.write ("good.pcd", goodPcd ());
+  const Outcome outcome = runOn (quoted ("good.pcd") + " " + quoted (GetParam ().output) + " -k 4");
+  EXPECT_EQ (outcome.error, "error: -k: unknown option, now -thin, see -h\n");
+}
+
+TEST_P (Apps, SayInWordsWhatTheyDid)
+{
+  folder.write ("good.pcd", pcd (5, "0 0 0\n1 0 0\n0 1 0\n0 0 0\nnan 1 2\n"));
+  const Outcome outcome =
+    runOn (quoted ("good.pcd") + " " + quoted (GetParam ().output) + " -report " + quoted ("r.json"));
+  ASSERT_EQ (outcome.exit_status, 0) << outcome.error;
+  const std::string line = "5 points, left out 1 not finite, 1 duplicate: 3 samples";
+  EXPECT_EQ (outcome.out.rfind (line + "\n", 0), 0U) << outcome.out;
+  EXPECT_TRUE (contains (folder.read ("r.json"), '"' + line + '"'));
+}
 
 } // namespace

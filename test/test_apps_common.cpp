@@ -4,7 +4,10 @@
 #include "command_line.h"
 #include "files/scalar_type.h"
 #include "interrupt.h"
+#include "mesh_distance.h"
 #include "progress.h"
+#include "report.h"
+#include "summary.h"
 #include "table.h"
 #include "test_apps_folder.h"
 
@@ -41,11 +44,12 @@ struct App
   {
     line.positional ("INPUT", "the cloud", input)
       .positional ("OUTPUT", "the result", output)
-      .option ("rho", "r", "a ratio", rho, {0, 1, true})
+      .option ("rho", "r", "a ratio", rho, {0, 1})
       .option ("k", "k", "neighbours", k, {-5, 100})
       .option ("seed", "s", "seed", seed)
       .option ("name", "text", "a name\nof two lines", name)
       .flag ("closed", "close it", closed)
+      .renamed ("old", "name")
       .common (common)
       .example ("some_app in.pcd out.pcd -rho 0.4");
   }
@@ -94,6 +98,7 @@ TEST (CommandLine, KeepsDefaults)
   EXPECT_EQ (app.name, "none");
   EXPECT_FALSE (app.closed);
   EXPECT_FALSE (app.common.quiet);
+  EXPECT_EQ (app.run ({"same.pcd", "same.pcd"}), 0) << "OUTPUT may be INPUT";
 }
 
 TEST (CommandLine, PrintsTheSameHelpForEveryRequest)
@@ -118,8 +123,8 @@ TEST (CommandLine, NamesWhatIsWrong)
 {
   const std::vector<std::pair<std::vector<const char*>, std::string>> cases = {
     {{"in.pcd", "out.pcd", "-rho", "much"}, "error: -rho: 'much' is no number\n"},
-    {{"in.pcd", "out.pcd", "-rho", "nan"}, "error: -rho: 'nan' is not between 0 and 1\n"},
-    {{"in.pcd", "out.pcd", "-rho", "1"}, "error: -rho: '1' is not between 0 and 1\n"},
+    {{"in.pcd", "out.pcd", "-rho", "nan"}, "error: -rho: 'nan' is not from 0 to 1\n"},
+    {{"in.pcd", "out.pcd", "-rho", "1.01"}, "error: -rho: '1.01' is not from 0 to 1\n"},
     {{"in.pcd", "out.pcd", "-k", "101"}, "error: -k: '101' is not from -5 to 100\n"},
     {{"in.pcd", "out.pcd", "-k", "2.5"}, "error: -k: '2.5' is no whole number that fits\n"},
     {{"in.pcd", "out.pcd", "-k", "99999999999"}, "error: -k: '99999999999' is no whole number that fits\n"},
@@ -131,12 +136,16 @@ TEST (CommandLine, NamesWhatIsWrong)
     {{"in.pcd", "out.pcd", "-k", "1", "-k", "2"}, "error: -k: given more than once\n"},
     {{"in.pcd", "out.pcd", "-wrong", "1"}, "error: -wrong: unknown option, see -h\n"},
     {{"in.pcd", "out.pcd", "--wrong"}, "error: -wrong: unknown option, see -h\n"},
+    {{"in.pcd", "out.pcd", "-old", "x"}, "error: -old: unknown option, now -name, see -h\n"},
+    {{"in.pcd", "out.pcd", "--old=x"}, "error: -old: unknown option, now -name, see -h\n"},
     {{"in.pcd", "out.pcd", "-clos"}, "error: -clos: unknown option, see -h\n"},
     {{"in.pcd", "out.pcd", "third"}, "error: 'third': one argument too many, see -h\n"},
     {{"in.pcd"}, "error: OUTPUT: missing, see -h\n"},
     {{"-quiet"}, "error: INPUT: missing, see -h\n"},
     {{"in.pcd", "out.pcd", "-picture", "a.jpg"}, "error: -picture: 'a.jpg' does not end in .png\n"},
     {{"in.pcd", ""}, "error: OUTPUT: is empty\n"},
+    {{"in.pcd", "out.pcd", "-report", "./out.pcd"}, "error: -report: names the same file as OUTPUT\n"},
+    {{"in.pcd", "out.pcd", "-report", "in.pcd"}, "error: -report: names the same file as INPUT\n"},
   };
   for (const auto& [arguments, message] : cases) {
     App app;
@@ -276,4 +285,93 @@ TEST (Table, AlignsItsColumns)
                           "  time           1.500 s\n"
                           "  a longer name  two\n"
                           "                 lines\n");
+}
+
+TEST (MeshDistance, IsThatToTheNearestTriangle)
+{
+  // A square in the plane z = 1, of two triangles, and a point of no triangle.
+  Eigen::Matrix3Xd points (3, 5);
+  points << 0, 1, 1, 0, NAN, 0, 0, 1, 1, NAN, 1, 1, 1, 1, NAN;
+  const std::vector<pcl::SimplicialComplex::Triangle> triangles = {{0, 1, 2}, {0, 2, 3}};
+  const TriangleMesh mesh{points, triangles};
+  EXPECT_DOUBLE_EQ (meanEdge (mesh), (4 + 2 * std::sqrt (2)) / 6);
+  EXPECT_EQ (meanEdge ({points, {}}), 0);
+  EXPECT_EQ (largestDistance (Eigen::Matrix3Xd (3, 0), mesh), 0);
+  EXPECT_EQ (largestDistance (placesOn (mesh, 0.1), mesh), 0);
+  Eigen::Matrix3Xd places (3, 3);
+  places << 0.25, 0.75, 0.5, 0.5, 0.5, 0.5, 1, 3.5, -1;
+  EXPECT_DOUBLE_EQ (largestDistance (places, mesh), 2.5) << "over a face";
+  places.col (0) = Eigen::Vector3d (4, 5, 1);
+  EXPECT_DOUBLE_EQ (largestDistance (places, mesh), 5) << "beside a corner";
+}
+
+TEST (MeshDistance, PlacesAreAsDenseAsAskedFor)
+{
+  const Eigen::Matrix3Xd points = Eigen::Matrix3d::Identity ();
+  const std::vector<pcl::SimplicialComplex::Triangle> triangles = {{0, 1, 2}};
+  EXPECT_EQ (placesOn ({points, triangles}, 100).cols (), 6);
+  EXPECT_EQ (placesOn ({points, triangles}, std::sqrt (2) / 4.5).cols (), 21);
+  EXPECT_EQ (placesOn ({points, triangles}, 1e-9).cols (), 65 * 66 / 2);
+  EXPECT_EQ (placesOn ({points, {}}, 1).cols (), 0);
+}
+
+TEST (Summary, SaysWhatWasLeftOut)
+{
+  EXPECT_EQ (inWords (PointCounts{0, 0, 0, 0, 0}), "0 points, none left out");
+  EXPECT_EQ (inWords (PointCounts{1, 0, 0, 0, 1}), "1 point, none left out");
+  EXPECT_EQ (inWords (PointCounts{4000, 3, 0, 1996, 2001}),
+             "4 000 points, left out 3 not finite, 1 996 thinned: 2 001 samples");
+  EXPECT_EQ (inWords (PointCounts{3, 0, 2, 0, 1}), "3 points, left out 2 duplicate: 1 sample");
+}
+
+TEST (Summary, SaysHowManyPartsThereAreAndOfWhichKind)
+{
+  using Lines = std::vector<std::string>;
+  const auto say = [] (const pcl::SimplicialComplex& complex) {
+    return inWords (pcl::manifold::analyze (complex));
+  };
+  pcl::SimplicialComplex complex;
+  EXPECT_EQ (say (complex), Lines{"nothing: no edge, triangle or tetrahedron"});
+  const std::vector<pcl::SimplicialComplex::Triangle> sphere = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}};
+  complex.triangles = sphere;
+  EXPECT_EQ (say (complex), Lines{"surface in one part, closed, of genus 0"});
+  complex.triangles.pop_back ();
+  EXPECT_EQ (say (complex), Lines{"surface in one part, open with 1 boundary loop, of genus 0"});
+  complex.triangles.insert (complex.triangles.end (), {{4, 5, 6}, {7, 8, 9}});
+  EXPECT_EQ (say (complex),
+             Lines{"surface in 3 parts, 3 open with 3 boundary loops; the largest has 60 % of the faces"});
+  complex.triangles = sphere;
+  complex.triangles.push_back ({0, 1, 4});
+  EXPECT_EQ (say (complex), (Lines{"surface in one part, open with 1 boundary loop",
+                                   "surface not manifold at 1 edge and 2 vertices"}));
+  complex.triangles.clear ();
+  for (int i = 0; i < 5; ++i) // a Moebius band of five triangles
+    complex.triangles.push_back ({i, (i + 1) % 5, (i + 2) % 5});
+  EXPECT_EQ (say (complex), (Lines{"surface in one part, open with 1 boundary loop, with 1 crosscap",
+                                   "surface one-sided in 1 part: no way to orient all of its triangles"}));
+  complex.triangles.clear ();
+  complex.edges = {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {4, 6}};
+  complex.tetrahedra = {{7, 8, 9, 10}};
+  EXPECT_EQ (say (complex),
+             (Lines{"2 curves, 1 closed, 1 open", "curves branch at 1 vertex", "1 solid of 1 tetrahedron",
+                    "skin of the solids in one part, closed, of genus 0"}));
+}
+
+TEST (Report, EndsWithItsSummaryAndItsTable)
+{
+  const TestFolder folder;
+  Report report ("some_app");
+  report.say ({"first", "second"});
+  Table table;
+  table.row ("points", std::size_t (3));
+  CommonOptions options;
+  options.report = folder / "r.json";
+  testing::internal::CaptureStdout ();
+  report.finish (options, table);
+  EXPECT_EQ (testing::internal::GetCapturedStdout (), "first\nsecond\n  points  3\n");
+  EXPECT_TRUE (contains (folder.read ("r.json"), "\"summary\"")) << folder.read ("r.json");
+  options.quiet = true;
+  testing::internal::CaptureStdout ();
+  report.finish (options, table);
+  EXPECT_EQ (testing::internal::GetCapturedStdout (), "");
 }

@@ -34,9 +34,11 @@ torusPcd ()
   return pcd (static_cast<std::size_t> (std::count (points.begin (), points.end (), '\n')), points);
 }
 
-const std::vector<const char*> WRONG = {"-ratio 0", "-ratio nan", "-ratio",   "-votes 0",   "-votes 4",
-                                        "-rho 0.3", "-votes 1.5", "-initial", "-spacing -1"};
-const std::vector<const char*> WRONG_LANDMARKS = {"-k 0", "-hops 0", "-a -1", "-rule holes", "-ratio 0.3"};
+const std::vector<const char*> WRONG = {"-ratio 0", "-ratio nan",        "-ratio",     "-votes 0",
+                                        "-votes 4", "-rho 0.3",          "-votes 1.5", "-initial",
+                                        "-thin -1", "-thin-distance -1", "-k 5"};
+const std::vector<const char*> WRONG_LANDMARKS = {"-k 0",  "-k -1",       "-k 2.5",    "-hops 0",
+                                                  "-a -1", "-rule holes", "-ratio 0.3"};
 
 INSTANTIATE_TEST_SUITE_P (FixedPoint, Apps,
                           testing::Values (App{"pcl_fixed_point_reconstruction",

@@ -35,9 +35,10 @@ spherePcd ()
   return pcd (POINTS, spherePoints (POINTS));
 }
 
-const std::vector<const char*> WRONG = {"-k 0",        "-hops 0",      "-hops two",    "-a -1",
-                                        "-rule holes", "-faces rule",  "-maxlength 2", "-seed -1",
-                                        "-seed",       "-polygons no", "-rule POINTS "};
+const std::vector<const char*> WRONG = {"-k 0",     "-k -1",       "-k 2.5",       "-k five",
+                                        "-k 5 -k",  "-thin 5",     "-hops 0",      "-hops two",
+                                        "-a -1",    "-rule holes", "-faces rule",  "-maxlength 2",
+                                        "-seed -1", "-seed",       "-polygons no", "-rule POINTS "};
 
 INSTANTIATE_TEST_SUITE_P (
   Graph, Apps,

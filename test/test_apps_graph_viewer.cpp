@@ -1,6 +1,4 @@
-// The window of the viewer, drawn without a screen, as a user would script it. Skipped where there is no Xvfb
-// and no display.
-#include "picture_display.h"
+// The window of the viewer, drawn without a display, as a user would script it.
 #include "test_apps_png.h"
 #include "test_apps_run.h"
 
@@ -8,12 +6,10 @@
 #include <cmath>
 #include <set>
 #include <sstream>
-#include <stdexcept>
 
 namespace {
 
 using namespace apps_run;
-using pcl::manifold::apps::PictureDisplay;
 
 class Viewer : public testing::Test
 {
@@ -32,15 +28,6 @@ protected:
     folder.write ("sphere.xyz", points.str ());
   }
 
-  static void needDisplay ()
-  {
-    try {
-      const PictureDisplay display;
-    } catch (const std::runtime_error& error) {
-      GTEST_SKIP () << error.what ();
-    }
-  }
-
   Outcome view (const std::string& input, const std::string& options, const std::string& before = {}) const
   {
     return run (logs, GRAPH_RECONSTRUCTION_VIEWER_APP, "'" + folder / input + "' " + options,
@@ -50,7 +37,6 @@ protected:
 
 TEST_F (Viewer, ShowsEveryStage)
 {
-  needDisplay ();
   std::set<std::string> pictures;
   for (const char* keys : {"", "Right", "Right Right", "Right Right Right", "Right Right Right Up a K"}) {
     const Outcome outcome = view ("sphere.xyz", std::string ("-keys '") + keys + "' -screenshot shot.png");
@@ -64,7 +50,6 @@ TEST_F (Viewer, ShowsEveryStage)
 
 TEST_F (Viewer, SavesTheMeshAndThePicture)
 {
-  needDisplay ();
   const Outcome outcome =
     view ("sphere.xyz", "-hops 3 -mesh mesh.obj -picture all.png -keys 'F2 F3 r' -screenshot shot.png");
   EXPECT_EQ (outcome.exit_status, 0) << outcome.error;
@@ -75,7 +60,6 @@ TEST_F (Viewer, SavesTheMeshAndThePicture)
 
 TEST_F (Viewer, SaysWhatCannotBeSaved)
 {
-  needDisplay ();
   for (const char* options : {"-mesh nowhere/mesh.ply -keys F2", "-picture nowhere/all.png -keys F3",
                               "-screenshot nowhere/shot.png"}) {
     SCOPED_TRACE (options);
@@ -111,9 +95,14 @@ TEST_F (Viewer, RefusesWrongUsage)
 
 TEST_F (Viewer, OpensNoWindowThatNobodySees)
 {
-  const Outcome outcome = view ("sphere.xyz", "", "unset DISPLAY; ");
-  EXPECT_EQ (outcome.exit_status, 1);
-  EXPECT_TRUE (contains (outcome.error, "needs a display")) << outcome.error;
+  for (const char* before : {"unset DISPLAY; ", "DISPLAY= ", "DISPLAY=nowhere:0 ", "DISPLAY=:987 "}) {
+    const Outcome outcome = view ("sphere.xyz", "", before);
+    EXPECT_EQ (outcome.exit_status, 1);
+    EXPECT_TRUE (contains (outcome.error, "sphere.xyz: a window needs a display with OpenGL: set DISPLAY, or "
+                                          "use -screenshot\n"))
+      << outcome.error;
+    EXPECT_EQ (std::count (outcome.error.begin (), outcome.error.end (), '\n'), 1) << outcome.error;
+  }
 }
 
 TEST_F (Viewer, ListsItsKeys)

@@ -1,20 +1,19 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <limits>
+#include <boost/program_options.hpp>
+
+#include <map>
 #include <ostream>
 #include <string>
 #include <vector>
 
 namespace pcl::manifold::apps {
 
-/** \brief The values that a number on the command line may have. NaN is never in a range. */
+/** \brief The values that a number on the command line may have, both ends among them; never NaN. */
 struct Range
 {
-  double low = -std::numeric_limits<double>::infinity ();
-  double high = std::numeric_limits<double>::infinity ();
-  bool open = false; ///< low and high themselves are not allowed
+  double low = -1e300;
+  double high = 1e300;
 };
 
 /** \brief The options that every app has. */
@@ -26,47 +25,43 @@ struct CommonOptions
   bool quiet = false;  ///< print nothing but errors
 };
 
-/** \brief The command line of an app: declared once, from which it is read and its help is printed. Options
- * are written as in PCL's tools, `-rho 0.3`; `--rho 0.3`, `-rho=0.3` and negative numbers as values are
- * understood.
- *
- * Every option is bound to a variable, whose value at the time is the default that the help shows. */
+/** \brief The command line of an app: Boost's, with the options and the messages of PCL's tools. Options are
+ * written `-rho 0.3`; `--rho 0.3`, `-rho=0.3` and negative numbers as values are understood. Every one is
+ * bound to a variable, whose value at the time is the default that the help shows. */
 class CommandLine
 {
 public:
-  /** \param[in] app its name
-   * \param[in] purpose what it does, in a line or a few */
-  CommandLine (const std::string& app, const std::string& purpose);
+  CommandLine (const std::string& app, const std::string& purpose)
+    : app_ (app), purpose_ (purpose), subject_ (app)
+  {}
 
-  /** \brief Declares the next argument without a name, such as INPUT; all of them are required. */
+  /** \brief Declares the next argument without a name, such as INPUT: all of them, before all options. */
   CommandLine& positional (const std::string& name, const std::string& help, std::string& target);
 
-  /** \brief Declares an option with a value.
+  /** \brief Declares an option with a value: a double, int, std::uint64_t or std::string.
    * \param[in] name without a dash
    * \param[in] value what the help calls the value
    * \param[in] help what it means; may have several lines
    * \param[in,out] target its default; set by parse ()
-   * \param[in] range the values that are accepted */
-  CommandLine& option (const std::string& name, const std::string& value, const std::string& help,
-                       double& target, const Range& range = {});
-  CommandLine& option (const std::string& name, const std::string& value, const std::string& help,
-                       int& target, const Range& range = {});
-  CommandLine& option (const std::string& name, const std::string& value, const std::string& help,
-                       std::uint64_t& target, const Range& range = {});
-  CommandLine& option (const std::string& name, const std::string& value, const std::string& help,
-                       std::string& target);
+   * \param[in] range the numbers that are accepted */
+  template <typename T>
+  CommandLine& option (const std::string& name, const std::string& value, const std::string& help, T& target,
+                       const Range& range = {});
 
-  /** \brief Declares an option without a value; parse () sets `target` to true if it is there. */
+  /** \brief Declares an option without a value; parse () sets `target` to true if it is there, else false. */
   CommandLine& flag (const std::string& name, const std::string& help, bool& target);
-
-  /** \brief Says that the file an option or argument names will be written: no two of these may be the same,
-   * and only OUTPUT may be one that is read. OUTPUT, `-report` and `-picture` are known to be written.
-   * \param[in] name for the error message
-   * \param[in] file a variable that another call declares */
-  CommandLine& writes (const std::string& name, const std::string& file);
 
   /** \brief Declares `-threads`, `-report`, `-picture` and `-quiet`. */
   CommandLine& common (CommonOptions& target);
+
+  /** \brief Says that a file will be written: no two of these may be the same, and only OUTPUT may be one that
+   * is read. OUTPUT, `-report` and `-picture` are known.
+   * \param[in] name of the option or argument, for the message
+   * \param[in] file a variable that another call declares */
+  CommandLine& writes (const std::string& name, const std::string& file);
+
+  /** \brief Who uses a former name of an option is told the present one; both without a dash. */
+  CommandLine& renamed (const std::string& former, const std::string& name);
 
   /** \brief Adds a line to the examples of the help. */
   CommandLine& example (const std::string& line);
@@ -78,38 +73,24 @@ public:
 
   void printHelp (std::ostream& stream) const;
 
-  const std::string& app () const { return app_; }
-
   /** \brief What failures of no other file are about: the first argument without a name, or else the app. */
   const std::string& subject () const { return subject_; }
 
 private:
-  struct Positional
-  {
-    std::string name, help;
-    std::string* target;
-  };
-
-  struct Option
-  {
-    std::string name, value, help, default_text;
-    std::function<void (const std::string&)> assign; ///< throws UsageError
-  };
-
-  struct Output
+  struct File
   {
     std::string name;
     const std::string* file;
+    bool is_written;
   };
 
-  void takePositionals (const std::vector<std::string>& values);
-  void checkOutputs () const;
+  void checkParsed (const std::vector<boost::program_options::option>& parsed);
+  void checkFiles () const;
 
-  std::string app_, purpose_, subject_;
-  std::vector<Positional> positionals_;
-  std::vector<Option> options_;
-  std::vector<Output> outputs_;
-  std::vector<std::string> examples_;
+  std::string app_, purpose_, subject_, examples_;
+  boost::program_options::options_description arguments_, options_;
+  std::vector<File> files_;
+  std::map<std::string, std::string> renamed_;
 };
 
 } // namespace pcl::manifold::apps

@@ -54,6 +54,9 @@ describeLandmarks (const LandmarkMeshReport& mesh, Report& report, Table& table)
   report.result ("components", components);
 
   const LandmarkComponent& total = mesh.total;
+  if (total.edges_in_no_face > 0)
+    report.say (
+      {grouped (total.edges_in_no_face) + " of the edges in no face: curves, or parts thinner than a tile"});
   table.row ("landmarks", total.vertices);
   table.row ("adjacencies", total.edges);
   table.row ("faces", grouped (total.faces) + ", of them " + grouped (total.triangles) + " triangles");

@@ -8,64 +8,41 @@
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkSMPThreadLocal.h>
 #include <vtkSMPThreadLocalObject.h>
 #include <vtkSMPTools.h>
 #include <vtkStaticCellLocator.h>
 
 namespace pcl::manifold::apps {
 
-struct MeshDistance::Search
+double
+largestDistance (const Eigen::Matrix3Xd& places, const TriangleMesh& mesh)
 {
-  vtkNew<vtkPolyData> mesh;
-  vtkNew<vtkStaticCellLocator> locator;
-};
-
-MeshDistance::MeshDistance (const TriangleMesh& mesh) : search_ (std::make_unique<Search> ())
-{
-  // Points of no triangle may be anything, so they are left out.
-  vtkNew<vtkPoints> points;
+  // Every triangle with corners of its own: points of none may be anything.
+  const vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble ();
-  vtkNew<vtkCellArray> triangles;
-  std::vector<vtkIdType> number (static_cast<std::size_t> (mesh.points.cols ()), -1);
+  const vtkNew<vtkCellArray> triangles;
   for (const pcl::SimplicialComplex::Triangle& triangle : mesh.triangles) {
     triangles->InsertNextCell (3);
-    for (const pcl::index_t vertex : triangle) {
-      vtkIdType& own = number[static_cast<std::size_t> (vertex)];
-      if (own < 0)
-        own = points->InsertNextPoint (mesh.points.col (vertex).data ());
-      triangles->InsertCellPoint (own);
-    }
+    for (const pcl::index_t vertex : triangle)
+      triangles->InsertCellPoint (points->InsertNextPoint (mesh.points.col (vertex).data ()));
   }
-  search_->mesh->SetPoints (points);
-  search_->mesh->SetPolys (triangles);
-  search_->locator->SetDataSet (search_->mesh);
-  search_->locator->BuildLocator ();
-}
-
-MeshDistance::~MeshDistance () = default;
-
-double
-MeshDistance::largestOf (const Eigen::Matrix3Xd& places) const
-{
-  vtkSMPThreadLocal<double> largest (0.0);
+  const vtkNew<vtkPolyData> data;
+  data->SetPoints (points);
+  data->SetPolys (triangles);
+  const vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet (data);
+  locator->BuildLocator ();
+  Eigen::VectorXd squared = Eigen::VectorXd::Zero (places.cols ());
   vtkSMPThreadLocalObject<vtkGenericCell> cells;
   vtkSMPTools::For (0, places.cols (), [&] (vtkIdType begin, vtkIdType end) {
-    double& squared = largest.Local ();
-    for (vtkIdType i = begin; i < end; ++i) {
-      std::array<double, 3> nearest{};
-      vtkIdType triangle = 0;
-      int part = 0;
-      double distance = 0.0;
-      search_->locator->FindClosestPoint (places.col (i).data (), nearest.data (), cells.Local (), triangle,
-                                          part, distance);
-      squared = std::max (squared, distance);
-    }
+    Eigen::Vector3d nearest;
+    vtkIdType triangle = 0;
+    int part = 0;
+    for (vtkIdType i = begin; i < end; ++i)
+      locator->FindClosestPoint (places.col (i).data (), nearest.data (), cells.Local (), triangle, part,
+                                 squared[i]);
   });
-  double squared = 0.0;
-  for (const double local : largest)
-    squared = std::max (squared, local);
-  return std::sqrt (squared);
+  return squared.size () == 0 ? 0.0 : std::sqrt (squared.maxCoeff ());
 }
 
 Eigen::Matrix3Xd

@@ -1,7 +1,7 @@
 #include "picture.h"
 
 #include "app_files.h"
-#include "picture_display.h"
+#include "offscreen_window.h"
 #include "render_panels.h"
 
 #include <stdexcept>
@@ -14,13 +14,11 @@ Picture::Picture (const std::string& file) : file_ (file)
     return;
   checkWritable (file);
   try {
-    display_ = std::make_unique<PictureDisplay> ();
+    makeOffscreenWindow ();
   } catch (const std::runtime_error& error) {
     throw AppError (file, error.what ());
   }
 }
-
-Picture::~Picture () = default;
 
 void
 Picture::draw (const std::string& title, const std::vector<Panel>& panels, int width, int height) const

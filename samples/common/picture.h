@@ -2,27 +2,20 @@
 
 #include "scene.h"
 
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace pcl::manifold::apps {
 
-class PictureDisplay;
-
-/** \brief A picture that an app draws at its end, if the user asked for it. Works without a screen. */
+/** \brief A picture that an app draws at its end, if the user asked for it. Needs no display. */
 class Picture
 {
 public:
   /** \brief Finds out early whether the picture will be possible.
    * \param[in] file name of the PNG file to write; empty: no picture is wanted
-   * \throws AppError if the file cannot be written, or there is no way to draw (see PictureDisplay) */
+   * \throws AppError if the file cannot be written, or there is no way to draw (see makeOffscreenWindow ())
+   */
   explicit Picture (const std::string& file);
-
-  Picture (const Picture&) = delete;
-  Picture& operator= (const Picture&) = delete;
-
-  ~Picture ();
 
   /** \brief Did the user ask for it? */
   bool wanted () const { return !file_.empty (); }
@@ -40,10 +33,9 @@ public:
 
 private:
   std::string file_;
-  std::unique_ptr<PictureDisplay> display_;
 };
 
-/** \brief Draws a picture as Picture::draw () does, on the display that there is.
+/** \brief Draws a picture as Picture::draw () does.
  * \throws AppError if drawing or writing fails */
 void writePicture (const std::string& file, const std::string& title, const std::vector<Panel>& panels,
                    int width, int height);

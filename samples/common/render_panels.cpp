@@ -1,14 +1,13 @@
 #include "render_panels.h"
 
 #include "layer_actor.h"
+#include "offscreen_window.h"
 #include "panel_texts.h"
 #include "view.h"
 #include "window_png.h"
 
 #include <vtkCamera.h>
 #include <vtkNew.h>
-#include <vtkObject.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
@@ -46,7 +45,6 @@ place (vtkRenderer& renderer, const View& view, double panel_height, double bott
 std::string
 renderPanels (const std::string& title, const std::vector<Panel>& panels, int width, int height)
 {
-  vtkObject::GlobalWarningDisplayOff ();
   std::vector<std::array<double, 3>> corners = cornersOf (panels);
   const UnitFrame frame = frameOf (corners);
   for (std::array<double, 3>& corner : corners)
@@ -62,8 +60,7 @@ renderPanels (const std::string& title, const std::vector<Panel>& panels, int wi
   const double top = std::max (bottom + 1, panel_height - caption_height);
   const View view = chooseView (corners, width / static_cast<double> (columns) / (top - bottom));
 
-  const vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering (1);
+  const vtkSmartPointer<vtkRenderWindow> window = makeOffscreenWindow ();
   window->SetMultiSamples (0);
   window->SetSize (width * oversampling, height * oversampling);
   const vtkNew<vtkRenderer> heading;

@@ -5,6 +5,7 @@
 #include <json/writer.h>
 
 #include <cmath>
+#include <iostream>
 
 #include <sys/resource.h>
 
@@ -40,7 +41,8 @@ Report::Report (const std::string& app)
   root_["version"] = PCL_MANIFOLD_VERSION;
   for (const char* const part : {"input", "parameters", "result"})
     root_[part] = Json::Value (Json::objectValue);
-  root_["stages"] = Json::Value (Json::arrayValue);
+  for (const char* const part : {"summary", "stages"})
+    root_[part] = Json::Value (Json::arrayValue);
 }
 
 void
@@ -59,6 +61,13 @@ void
 Report::result (const std::string& name, const Json::Value& value)
 {
   root_["result"][name] = finite (value);
+}
+
+void
+Report::say (const std::vector<std::string>& lines)
+{
+  for (const std::string& line : lines)
+    root_["summary"].append (line);
 }
 
 void
@@ -84,6 +93,18 @@ Report::write (const std::string& file) const
   builder["indentation"] = "  ";
   builder["precision"] = 17;
   writeFile (file, Json::writeString (builder, root_) + '\n');
+}
+
+void
+Report::finish (const CommonOptions& options, const Table& table) const
+{
+  if (!options.report.empty ())
+    write (options.report);
+  if (options.quiet)
+    return;
+  for (const Json::Value& line : root_["summary"])
+    std::cout << line.asString () << '\n';
+  table.print (std::cout);
 }
 
 } // namespace pcl::manifold::apps

@@ -1,17 +1,21 @@
 #pragma once
 
+#include "command_line.h"
+#include "table.h"
+
 #include <json/value.h>
 
 #include <chrono>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace pcl::manifold::apps {
 
 /** \brief Largest amount of memory that the program had resident so far, in bytes. */
 std::uint64_t peakResidentBytes ();
 
-/** \brief What an app did, as JSON: `app`, `version`, `input`, `parameters`, `stages` and `result`. The keys
+/** \brief What an app did, as JSON: `app`, `version`, `summary`, `input`, `parameters`, `stages` and `result`. The keys
  * of an object are in alphabetical order, numbers at full precision; a number that is not finite becomes
  * null. */
 class Report
@@ -30,6 +34,9 @@ public:
   /** \brief Sets an entry of `result`. */
   void result (const std::string& name, const Json::Value& value);
 
+  /** \brief Appends lines to `summary`: what a user should know first, in words. */
+  void say (const std::vector<std::string>& lines);
+
   /** \brief Appends a stage with the time it took and the peak of memory so far. */
   void stage (const std::string& name, double seconds);
 
@@ -42,6 +49,11 @@ public:
   /** \brief Writes it, atomically.
    * \throws AppError if that fails */
   void write (const std::string& file) const;
+
+  /** \brief The end of an app: writes the report if that was asked for, and prints the summary and a table
+   * unless quiet.
+   * \throws AppError if writing fails */
+  void finish (const CommonOptions& options, const Table& table) const;
 
 private:
   Json::Value root_;

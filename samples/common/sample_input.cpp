@@ -13,11 +13,14 @@ void
 ThinningOptions::declare (CommandLine& command_line)
 {
   command_line
-    .option ("k", "k",
+    .option ("thin", "k",
              "thin the cloud: no two samples among each other's k nearest neighbours; 0 = off.\n"
              "4 to 8 for airborne scans, 12 to 48 for random or noisy points: no more than it takes",
-             k, {0, 100000})
-    .option ("spacing", "h", "thin the cloud: no two samples nearer than h; 0 = off", spacing, {0, 1e300})
+             neighbors, {0, 100000})
+    .option ("thin-distance", "h", "thin the cloud: no two samples nearer than h; 0 = off", distance,
+             {0, 1e300})
+    .renamed ("k", "thin")
+    .renamed ("spacing", "thin-distance")
     .common (common);
 }
 
@@ -31,8 +34,8 @@ ThinningOptions::checkReport () const
 void
 ThinningOptions::describe (Report& report) const
 {
-  report.parameter ("k", k);
-  report.parameter ("spacing", spacing);
+  report.parameter ("thin", neighbors);
+  report.parameter ("thin_distance", distance);
   report.parameter ("threads", common.threads);
 }
 
@@ -71,6 +74,7 @@ PointCounts
 countsOf (const InputCloud& input, const SampleSet& samples)
 {
   PointCounts counts;
+  counts.points = input.size ();
   counts.dropped = samples.non_finite - input.no_measurement; // these are NaN by now
   counts.no_measurement = samples.no_measurement + input.no_measurement;
   counts.duplicates = samples.duplicates;
@@ -93,19 +97,24 @@ describeContradiction (const InputCloud& input, std::size_t contradicted, const 
 {
   constexpr int K = 8; // made one surface of most such clouds
   report.result ("contradicted", Json::UInt64 (contradicted));
-  if (!options.common.quiet && 2 * contradicted > counts.samples)
-    std::cerr
-      << input.file << ": " << 100 * contradicted / counts.samples
-      << " % of the samples look like ones of curves, but others lie beside these: points of a surface "
-         "in rows, or noisy ones. Try -k "
-      << std::max (K, 2 * options.k) << ", or for surfaces pcl_fixed_point_reconstruction\n";
+  if (2 * contradicted <= counts.samples)
+    return;
+  const std::string note = std::to_string (100 * contradicted / counts.samples) +
+                           " % of the samples look like ones of curves, but others lie beside these: points "
+                           "of a surface in rows, or noisy "
+                           "ones. Try -thin " +
+                           std::to_string (std::max (K, 2 * options.neighbors)) +
+                           ", or for surfaces pcl_fixed_point_reconstruction";
+  report.say ({note});
+  if (!options.common.quiet)
+    std::cerr << input.file << ": " << note << "\n";
 }
 
 void
 describeInput (const InputCloud& input, const PointCounts& counts, Report& report, Table& table)
 {
   report.input ("file", input.file);
-  report.input ("points", Json::UInt64 (input.size ()));
+  report.input ("points", Json::UInt64 (counts.points));
   report.input ("dropped", Json::UInt64 (counts.dropped));
   report.input ("no_measurement", Json::UInt64 (counts.no_measurement));
   report.input ("duplicates", Json::UInt64 (counts.duplicates));
@@ -113,15 +122,13 @@ describeInput (const InputCloud& input, const PointCounts& counts, Report& repor
   report.input ("samples", Json::UInt64 (counts.samples));
   Json::Value origin (Json::arrayValue);
   for (const double coordinate : input.origin)
-    origin.append (coordinate);
+    origin.append (coordinate + 0.0); // no -0
   report.input ("origin", origin);
-  table.row ("points", input.size ());
-  if (counts.dropped > 0)
-    table.row ("dropped, not finite", counts.dropped);
-  if (counts.no_measurement > 0)
-    table.row ("dropped, no measurement", counts.no_measurement);
-  if (counts.duplicates > 0)
-    table.row ("duplicates", counts.duplicates);
+  Json::Value notes (Json::arrayValue);
+  for (const std::string& note : input.notes)
+    notes.append (note);
+  report.input ("notes", notes);
+  report.say ({inWords (counts)});
   table.row ("samples", counts.samples);
 }
 

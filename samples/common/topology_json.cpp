@@ -1,6 +1,6 @@
 #include "topology_json.h"
 
-#include <iostream>
+#include "summary.h"
 
 namespace pcl::manifold::apps {
 
@@ -79,48 +79,30 @@ toJson (const SolidTopology& solid)
   return json;
 }
 
-void
-tabulate (const std::string& name, const SurfaceTopology& surface, Table& table)
-{
-  table.row (name + " triangles", surface.faces);
-  table.row (name + " components", surface.components.size ());
-  table.row (name + " boundary loops", surface.boundary_loops);
-  table.row (name + " non-manifold", grouped (surface.non_manifold_edges) + " edges, " +
-                                       grouped (surface.non_manifold_vertices) + " vertices");
-  table.row (name + " Euler characteristic", std::to_string (surface.euler_characteristic));
-  if (surface.components.size () == 1 && surface.components[0].genus >= 0)
-    table.row (name + " genus", std::to_string (surface.components[0].genus) +
-                                  (surface.components[0].orientable ? "" : " (not orientable)"));
-}
-
 } // namespace
 
 void
-describeTopology (const pcl::TopologyReport& topology, Report& report, Table& table)
+describeTopology (const pcl::TopologyReport& topology, std::size_t samples, Report& report, Table& table)
 {
   report.result ("vertices", count (topology.vertices));
   report.result ("curves", toJson (topology.curve));
   report.result ("surfaces", toJson (topology.surface));
   report.result ("solids", toJson (topology.solid));
+  report.say (inWords (topology));
+  if (samples > topology.vertices)
+    report.say ({grouped (samples - topology.vertices) + " of " + grouped (samples) + " samples in no part"});
   table.row ("vertices used", topology.vertices);
-  if (topology.curve.edges > 0) {
+  if (topology.curve.edges > 0)
     table.row ("curve edges", topology.curve.edges);
-    table.row ("curve components", topology.curve.components.size ());
+  if (topology.surface.faces > 0) {
+    table.row ("surface triangles", topology.surface.faces);
+    table.row ("surface Euler characteristic", std::to_string (topology.surface.euler_characteristic));
   }
-  if (topology.surface.faces > 0)
-    tabulate ("surface", topology.surface, table);
   if (topology.solid.tetrahedra > 0) {
     table.row ("solid tetrahedra", topology.solid.tetrahedra);
-    tabulate ("skin", topology.solid.boundary, table);
+    table.row ("skin triangles", topology.solid.boundary.faces);
+    table.row ("skin Euler characteristic", std::to_string (topology.solid.boundary.euler_characteristic));
   }
-}
-
-void
-noteNonManifold (const std::string& file, const SurfaceTopology& surface, bool quiet)
-{
-  if (!quiet && !surface.isManifold ())
-    std::cerr << file << ": the surface is no manifold at " << grouped (surface.non_manifold_edges)
-              << " edges and " << grouped (surface.non_manifold_vertices) << " vertices\n";
 }
 
 } // namespace pcl::manifold::apps

@@ -7,10 +7,9 @@
 
 namespace pcl::manifold::apps {
 
-/** \brief Reports and tabulates the topology of a complex. */
-void describeTopology (const pcl::TopologyReport& topology, Report& report, Table& table);
-
-/** \brief Tells the user on standard error where a mesh is no manifold. */
-void noteNonManifold (const std::string& file, const SurfaceTopology& surface, bool quiet);
+/** \brief Reports and tabulates the topology of a complex, and says it in words.
+ * \param[in] samples that it is over; 0: it is over some of them on purpose */
+void describeTopology (const pcl::TopologyReport& topology, std::size_t samples, Report& report,
+                       Table& table);
 
 } // namespace pcl::manifold::apps

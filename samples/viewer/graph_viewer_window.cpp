@@ -2,6 +2,7 @@
 
 #include "app_files.h"
 #include "interrupt.h"
+#include "offscreen_window.h"
 #include "picture.h"
 #include "view.h"
 #include "window_png.h"
@@ -14,6 +15,7 @@
 #include <vtkRendererCollection.h>
 
 #include <algorithm>
+#include <future>
 
 namespace pcl::manifold::apps {
 namespace {
@@ -37,10 +39,11 @@ rendererOf (pcl::visualization::PCLVisualizer& visualizer)
 
 GraphViewerWindow::GraphViewerWindow (GraphViewerModel& model, const std::string& title,
                                       const Outputs& outputs, bool interactive)
-  : model_ (model), title_ (title), outputs_ (outputs), visualizer_ (title, interactive)
+  : model_ (model), title_ (title), outputs_ (outputs),
+    visualizer_ (vtkSmartPointer<vtkRenderer>::New (),
+                 interactive ? vtkSmartPointer<vtkRenderWindow>::New () : makeOffscreenWindow (), title,
+                 interactive)
 {
-  if (!interactive)
-    visualizer_.getRenderWindow ()->SetOffScreenRendering (1);
   visualizer_.setShowFPS (false);
   visualizer_.setBackgroundColor (1, 1, 1);
   visualizer_.setSize (WIDTH, HEIGHT);
@@ -136,7 +139,10 @@ GraphViewerWindow::press (const std::string& key)
       throw AppError (outputs_.mesh, error);
     message_ = outputs_.mesh + " saved";
   } else if (action == GraphViewerModel::Action::SAVE_PICTURE) {
-    writePicture (outputs_.picture, title_, model_.panels (), 1600, 1200);
+    // In a thread of its own: OpenGL of a window on the screen is current in this one.
+    std::async (std::launch::async, [this] {
+      writePicture (outputs_.picture, title_, model_.panels (), 1600, 1200);
+    }).get ();
     message_ = outputs_.picture + " saved";
   }
   draw ();

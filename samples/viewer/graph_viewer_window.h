@@ -9,7 +9,7 @@
 
 namespace pcl::manifold::apps {
 
-/** \brief The window of pcl_graph_reconstruction_viewer. Needs a display. */
+/** \brief The window of pcl_graph_reconstruction_viewer. */
 class GraphViewerWindow
 {
 public:
@@ -23,7 +23,8 @@ public:
   /** \param[in] model outlives the window
    * \param[in] title of the window
    * \param[in] outputs names of the files
-   * \param[in] interactive false to draw without a window on the screen */
+   * \param[in] interactive false to draw without a window on the screen; true needs canOpenWindow ()
+   * \throws std::runtime_error if there is no OpenGL to draw with (see makeOffscreenWindow ()) */
   GraphViewerWindow (GraphViewerModel& model, const std::string& title, const Outputs& outputs,
                      bool interactive);
 

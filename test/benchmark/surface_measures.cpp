@@ -13,7 +13,6 @@ namespace benchmark {
 namespace {
 
 using Triangle = pcl::SimplicialComplex::Triangle;
-using pcl::manifold::apps::MeshDistance;
 using pcl::manifold::apps::TriangleMesh;
 
 /** \brief In degrees. */
@@ -42,7 +41,7 @@ hausdorff (const TriangleMesh& mesh, const generate::Shape& shape)
   Eigen::Matrix3Xd places (3, static_cast<Eigen::Index> (drawn.size ()));
   for (std::size_t i = 0; i < drawn.size (); ++i)
     places.col (static_cast<Eigen::Index> (i)) = drawn.points[i];
-  return std::max (largest, MeshDistance (mesh).largestOf (places));
+  return std::max (largest, pcl::manifold::apps::largestDistance (places, mesh));
 }
 
 } // namespace
