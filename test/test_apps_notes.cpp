@@ -106,12 +106,12 @@ TEST_P (Rows, TellsWhatHelpsWhereTheyLookLikeCurves)
 {
   const Outcome rows = runOn (folder.write ("rows.xyz", sections (1.5)));
   ASSERT_EQ (rows.exit_status, 0) << rows.error;
-  EXPECT_NE (rows.error.find ("-k 8"), std::string::npos) << rows.error;
+  EXPECT_NE (rows.error.find ("-thin 8"), std::string::npos) << rows.error;
   EXPECT_GT (report ()["result"]["contradicted"].asInt (), 2000);
   // Curves far apart are curves.
   const Outcome curves = runOn (folder.write ("curves.xyz", sections (20)));
   ASSERT_EQ (curves.exit_status, 0) << curves.error;
-  EXPECT_EQ (curves.error.find ("-k 8"), std::string::npos) << curves.error;
+  EXPECT_EQ (curves.error.find ("-thin 8"), std::string::npos) << curves.error;
   EXPECT_LT (report ()["result"]["contradicted"].asInt (), 400);
 }
 
