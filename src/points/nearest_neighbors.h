@@ -18,8 +18,8 @@ namespace manifold {
  * grows with the square of the number of exact duplicates. Parallel in the current arena.
  * \param[in] progress if there is one, asked now and then with the share that is done; where it answers false
  * there is no result */
-std::vector<pcl::index_t> kNearestNeighbors (const Eigen::Ref<const Eigen::MatrixXd>& points, int k,
-                                             const ProgressCallback& progress = {});
+PCL_MANIFOLD_CORE_EXPORTS std::vector<pcl::index_t> kNearestNeighbors (
+  const Eigen::Ref<const Eigen::MatrixXd>& points, int k, const ProgressCallback& progress = {});
 
 /** For every query the index of the nearest point, of several the smallest. */
 PCL_MANIFOLD_CORE_EXPORTS std::vector<std::int32_t> nearestPoints (const Eigen::Matrix3Xd& points,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pcl/manifold/export.h>
+
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -16,7 +18,8 @@ std::vector<std::uint8_t> thinByNeighbors (const Eigen::Matrix3Xd& points, int k
 
 /** thinBySpacing: no two kept points are nearer than the spacing, and every point has a kept one nearer than
  * that or is kept itself. */
-std::vector<std::uint8_t> thinBySpacing (const Eigen::Matrix3Xd& points, double spacing);
+PCL_MANIFOLD_CORE_EXPORTS std::vector<std::uint8_t> thinBySpacing (const Eigen::Matrix3Xd& points,
+                                                                   double spacing);
 
 } // namespace manifold
 } // namespace pcl

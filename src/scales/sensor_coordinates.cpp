@@ -1,0 +1,113 @@
+#include "scales/sensor_coordinates.h"
+
+#include "common/parallel.h"
+#include "points/nearest_neighbors.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pcl {
+namespace manifold {
+
+namespace {
+
+constexpr int NEIGHBORS = 8;
+constexpr std::size_t ASKED = 3000;
+// (sigma1 - sigma2) / sigma1 of a point and its neighbours on a line.
+constexpr double LINEAR = 0.8;
+// Of a line around the axis, its rise in a share of its run. Beams of real sensors rise by less.
+constexpr double LEVEL = 0.2;
+// Shares of points on lines, and of level ones of these: frames have 0.31 and 0.97 or more, other clouds
+// either less than 0.05 of the first or less than 0.15 of the second.
+constexpr double SHARE_ON_LINES = 0.15;
+constexpr double SHARE_LEVEL = 0.7;
+constexpr Eigen::Index FEWEST_POINTS = 1000;
+
+} // namespace
+
+SensorCoordinates::SensorCoordinates (const Eigen::Matrix3Xd& points, const Eigen::Vector3d& origin)
+  : origin_ (origin)
+{
+  std::vector<double> ranges (static_cast<std::size_t> (points.cols ()));
+  for (std::size_t i = 0; i < ranges.size (); ++i)
+    ranges[i] = (points.col (static_cast<Eigen::Index> (i)) - origin).norm ();
+  const auto middle = ranges.begin () + static_cast<std::ptrdiff_t> (ranges.size () / 2);
+  std::nth_element (ranges.begin (), middle, ranges.end ());
+  near_ = *middle / std::exp (1.0);
+}
+
+Eigen::Matrix3Xd
+SensorCoordinates::toSensor (const Eigen::Matrix3Xd& points) const
+{
+  Eigen::Matrix3Xd seen (3, points.cols ());
+  parallelFor (static_cast<std::size_t> (points.cols ()), [&] (std::size_t i) {
+    const auto column = static_cast<Eigen::Index> (i);
+    seen.col (column) = (points.col (column) - origin_) / widthAt (points.col (column));
+  });
+  return seen;
+}
+
+double
+SensorCoordinates::widthAt (const Eigen::Vector3d& point) const
+{
+  if (!(near_ > 0.0))
+    return 1.0;
+  const double range = (point - origin_).norm ();
+  return range > near_ ? range / (1.0 + std::log (range / near_)) : near_;
+}
+
+Eigen::Vector3d
+SensorCoordinates::toSpace (const Eigen::Vector3d& point, const Eigen::Vector3d& direction) const
+{
+  const double range = (point - origin_).norm ();
+  if (!(near_ > 0.0) || range <= near_)
+    return direction;
+  const Eigen::Vector3d ray = (point - origin_) / range;
+  const double radial = direction.dot (ray);
+  return (radial * range * ray + widthAt (point) * (direction - radial * ray)).normalized ();
+}
+
+bool
+hasRings (const Eigen::Matrix3Xd& points, const Eigen::Vector3d& origin)
+{
+  if (points.cols () < FEWEST_POINTS)
+    return false;
+  const std::vector<pcl::index_t> neighbors = kNearestNeighbors (points, NEIGHBORS);
+  const std::size_t step = std::max<std::size_t> (1, static_cast<std::size_t> (points.cols ()) / ASKED);
+  std::size_t asked = 0, lines = 0, level = 0;
+  for (Eigen::Index i = 0; i < points.cols (); i += static_cast<Eigen::Index> (step)) {
+    const Eigen::Vector3d seen = points.col (i) - origin;
+    const Eigen::Vector3d around = Eigen::Vector3d::UnitZ ().cross (seen);
+    if (!(around.norm () > 0.0))
+      continue;
+    ++asked;
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero ();
+    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero ();
+    for (int k = 0; k < NEIGHBORS; ++k) {
+      const Eigen::Vector3d to =
+        points.col (neighbors[static_cast<std::size_t> (i) * NEIGHBORS + k]) - points.col (i);
+      mean += to;
+      moments += to * to.transpose ();
+    }
+    mean /= NEIGHBORS + 1;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (moments / (NEIGHBORS + 1) -
+                                                                 mean * mean.transpose ());
+    const Eigen::Vector3d sigma = solver.eigenvalues ().cwiseMax (0.0).cwiseSqrt ();
+    if (!(sigma[2] > 0.0) || (sigma[2] - sigma[1]) / sigma[2] <= LINEAR)
+      continue;
+    ++lines;
+    const Eigen::Vector3d direction = solver.eigenvectors ().col (2);
+    const double rise = std::abs (direction.dot (seen.cross (around).normalized ()));
+    if (rise < LEVEL * std::abs (direction.dot (around.normalized ())))
+      ++level;
+  }
+  return static_cast<double> (lines) > SHARE_ON_LINES * static_cast<double> (asked) &&
+         static_cast<double> (level) > SHARE_LEVEL * static_cast<double> (lines);
+}
+
+} // namespace manifold
+} // namespace pcl
