@@ -151,6 +151,7 @@ TEST (AirborneScan, WiresAreFound)
   const auto cloud = readCloud<pcl::PointXYZL> (file);
   pcl::DimensionDetection<pcl::PointXYZL> detection;
   detection.setInputCloud (cloud);
+  detection.setScales (pcl::manifold::Scales::OFF);
   detection.setThinningNeighbors (4);
   pcl::PointCloud<pcl::Label> labels;
   detection.compute (labels);

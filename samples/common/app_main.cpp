@@ -46,7 +46,7 @@ explain (Status status)
       return "its coordinates are too large or too small to compute with";
     case Status::TOO_MANY_POINTS:
       return "too many points for 32-bit indices (2 147 483 647 points, or Delaunay cells, 6 to 15 a point): "
-             "take a part, or thin it with -spacing";
+             "take a part, or thin it with -thin-distance";
     case Status::CANCELLED:
       return "cancelled";
     case Status::OUT_OF_MEMORY:

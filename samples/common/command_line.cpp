@@ -64,6 +64,25 @@ CommandLine::option (const std::string& name, const std::string& value, const st
   return *this;
 }
 
+CommandLine&
+CommandLine::numbers (const std::string& name, const std::string& values, const std::string& help,
+                      std::size_t count, std::vector<double>& target)
+{
+  const auto assigner = [=, &target] (const std::string& words) {
+    std::istringstream stream (words);
+    std::vector<double> read;
+    for (std::string word; stream >> word;)
+      assign ("-" + name, word, Range (), read.emplace_back ());
+    if (read.size () != count)
+      throw UsageError ("-" + name, "needs " + std::to_string (count) + " numbers");
+    target = read;
+  };
+  options_.add_options () (name.c_str (), po::value<std::string> ()->value_name (values)->notifier (assigner),
+                           help.c_str ());
+  counts_["-" + name] = count;
+  return *this;
+}
+
 // NOLINTBEGIN(readability-inconsistent-declaration-parameter-name)
 using Text = const std::string&;
 template CommandLine& CommandLine::option (Text, Text, Text, double&, const Range&);
@@ -114,11 +133,18 @@ CommandLine::example (const std::string& line)
 bool
 CommandLine::parse (int argc, const char* const* argv)
 {
-  const std::vector<std::string> words (argv + std::min (argc, 1), argv + argc);
+  std::vector<std::string> words (argv + std::min (argc, 1), argv + argc);
   if (words.empty () || std::any_of (words.begin (), words.end (), [] (const std::string& word) {
         return word == "-h" || word == "-help" || word == "--help";
       }))
     return false;
+  // Boost takes one value behind an option: the numbers that belong together become one word.
+  for (std::size_t i = 0; i + 1 < words.size (); ++i)
+    if (const auto count = counts_.find (words[i]); count != counts_.end ())
+      for (std::size_t more = 1; more < count->second && i + 2 < words.size (); ++more) {
+        words[i + 1] += ' ' + words[i + 2];
+        words.erase (words.begin () + static_cast<std::ptrdiff_t> (i) + 2);
+      }
   po::options_description all;
   all.add (arguments_).add (options_);
   po::positional_options_description order;

@@ -48,6 +48,13 @@ public:
   CommandLine& option (const std::string& name, const std::string& value, const std::string& help, T& target,
                        const Range& range = {});
 
+  /** \brief Declares an option with several numbers behind it, `-origin 0 0 1.7`.
+   * \param[in] values what the help calls them
+   * \param[in] count how many there are
+   * \param[out] target none, or that many */
+  CommandLine& numbers (const std::string& name, const std::string& values, const std::string& help,
+                        std::size_t count, std::vector<double>& target);
+
   /** \brief Declares an option without a value; parse () sets `target` to true if it is there, else false. */
   CommandLine& flag (const std::string& name, const std::string& help, bool& target);
 
@@ -91,6 +98,7 @@ private:
   boost::program_options::options_description arguments_, options_;
   std::vector<File> files_;
   std::map<std::string, std::string> renamed_;
+  std::map<std::string, std::size_t> counts_; // of numbers behind options
 };
 
 } // namespace pcl::manifold::apps

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pcl/manifold/export.h>
+
 #include <Eigen/Core>
 
 #include <vector>
@@ -19,7 +21,7 @@ struct NearestDistance
 std::vector<NearestDistance> nearestDistances (const Eigen::Matrix3Xd& points);
 
 /** Their median; infinity if there is none. */
-double medianSpacing (const Eigen::Matrix3Xd& points);
+PCL_MANIFOLD_CORE_EXPORTS double medianSpacing (const Eigen::Matrix3Xd& points);
 
 } // namespace manifold
 } // namespace pcl

@@ -1,12 +1,13 @@
 #include "scales/scale_ladder.h"
 
-#include "common/parallel.h"
+#include <pcl/manifold/bulk_box.h>
+
 #include "points/nearest_neighbors.h"
+#include "points/spacing.h"
 #include "points/thinning.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace pcl {
 namespace manifold {
@@ -61,25 +62,13 @@ thin (const Rung& below, double spacing, ScaleLevel& level)
 
 } // namespace
 
-double
-typicalSpacing (const Eigen::Matrix3Xd& points)
-{
-  const auto n = static_cast<std::size_t> (points.cols ());
-  if (n < 2)
-    return 0.0;
-  const std::vector<pcl::index_t> nearest = kNearestNeighbors (points, 1);
-  std::vector<double> distances (n);
-  parallelFor (n, [&] (std::size_t i) { distances[i] = (points.col (nearest[i]) - points.col (i)).norm (); });
-  std::nth_element (distances.begin (), distances.begin () + n / 2, distances.end ());
-  return distances[n / 2];
-}
-
 std::vector<ScaleLevel>
 makeLadder (const Eigen::Matrix3Xd& points, const ScaleRange& range)
 {
   const double step = std::sqrt (2.0);
-  const double finest = typicalSpacing (points);
-  const double extent = (points.rowwise ().maxCoeff () - points.rowwise ().minCoeff ()).maxCoeff ();
+  const double median = medianSpacing (points);
+  const double finest = std::isfinite (median) ? median : 0.0;
+  const double extent = bulkBox (points).sizes ().maxCoeff ();
   const double coarsest = range.to > 0.0 ? range.to : extent * COARSEST_SHARE;
   std::vector<ScaleLevel> levels (1);
   levels.front ().spacing = finest;

@@ -94,6 +94,10 @@ public:
    * \return indices into the input cloud */
   pcl::Indices getSamples () const;
 
+  /** \brief The distinct points that the answers are of, and what was left out.
+   * \return null before compute (), and where it failed */
+  std::shared_ptr<const manifold::SampleSet> getSampleSet () const { return samples_; }
+
   /** \brief The triangulation of the samples, to be handed to another class.
    * \return null before compute (), and where it failed */
   std::shared_ptr<const manifold::DelaunayComplex> getDelaunayComplex () const
