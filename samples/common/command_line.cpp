@@ -210,8 +210,9 @@ CommandLine::checkFiles () const
     // Devices can take any number of outputs.
     if (file->empty () || (fs::exists (*file, ignored) && !fs::is_regular_file (*file, ignored)))
       continue;
-    const auto [place, is_new] =
-      places.emplace (fs::weakly_canonical (*file, ignored), File{name, file, is_written});
+    // A relative name of a file that is not there yet would stay as it is.
+    const fs::path path = fs::weakly_canonical (fs::absolute (*file, ignored), ignored);
+    const auto [place, is_new] = places.emplace (path, File{name, file, is_written});
     if (!is_new && is_written && (name != "OUTPUT" || place->second.is_written))
       throw UsageError (name, "names the same file as " + place->second.name);
   }
