@@ -3,6 +3,7 @@
 
 #include "common/parallel.h"
 #include "delaunay/sampled_complex.h"
+#include "points/nearest_neighbors.h"
 #include "scales/curve_measures.h"
 #include "scales/level_evidence.h"
 #include "scales/persistence.h"
@@ -32,7 +33,7 @@ areValid (const ScaleParameters& scales)
 // The sensor's place in the coordinates of the samples, if it is known, or if they are a frame of one at 0 0
 // 0, where the drivers of spinning lidars put it.
 std::optional<SensorCoordinates>
-sensorIn (const SampleSet& samples, const ScaleParameters& scales)
+sensorIn (const SampleSet& samples, const std::vector<pcl::index_t>& neighbors, const ScaleParameters& scales)
 {
   const auto inSamples = [&samples] (const Eigen::Vector3d& origin) -> Eigen::Vector3d {
     return (origin - samples.origin) * samples.scale;
@@ -41,7 +42,7 @@ sensorIn (const SampleSet& samples, const ScaleParameters& scales)
     return SensorCoordinates (samples.points, inSamples (*scales.sensor_origin));
   const Eigen::Vector3d zero = inSamples (Eigen::Vector3d::Zero ());
   const bool asked = scales.from > 0.0 || scales.to > 0.0;
-  if (asked || !hasRings (samples.points, zero))
+  if (asked || !hasRings (samples.points, neighbors, zero))
     return std::nullopt;
   return SensorCoordinates (samples.points, zero);
 }
@@ -110,7 +111,10 @@ detect (const Eigen::Matrix3Xd& points, const pcl::Indices& indices, double reso
 
   if (!log.begin ("scales", 0.05f))
     return Status::CANCELLED;
-  const std::optional<SensorCoordinates> sensor = sensorIn (samples, scales);
+  std::vector<pcl::index_t> neighbors;
+  if (samples.size () > NEAREST)
+    neighbors = kNearestNeighbors (samples.points, NEAREST);
+  const std::optional<SensorCoordinates> sensor = sensorIn (samples, neighbors, scales);
   if (sensor)
     result.sensor_origin = sensor->origin () / samples.scale + samples.origin;
   const ScaleRange range{scales.from * samples.scale, scales.to * samples.scale};
@@ -154,7 +158,7 @@ detect (const Eigen::Matrix3Xd& points, const pcl::Indices& indices, double reso
 
   if (!log.begin ("persistence", 0.9f))
     return Status::CANCELLED;
-  PersistentLabels labels = choosePersistent (levels, evidence);
+  PersistentLabels labels = choosePersistent (levels, evidence, neighbors);
   if (sensor)
     toSpace (*sensor, samples.points, labels);
   result.manifold_dimension = std::move (labels.manifold_dimension);

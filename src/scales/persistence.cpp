@@ -102,7 +102,8 @@ choose (const std::vector<LevelEvidence>& evidence, const Path& path)
 } // namespace
 
 PersistentLabels
-choosePersistent (const std::vector<ScaleLevel>& levels, const std::vector<LevelEvidence>& evidence)
+choosePersistent (const std::vector<ScaleLevel>& levels, const std::vector<LevelEvidence>& evidence,
+                  const std::vector<pcl::index_t>& neighbors)
 {
   const auto n = static_cast<std::size_t> (levels.front ().centers.cols ());
   PersistentLabels result;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <pcl/types.h>
+
 #include "scales/level_evidence.h"
 #include "scales/scale_ladder.h"
 #include "scales/sensor_coordinates.h"
@@ -36,9 +38,12 @@ struct PersistentLabels
  * of a surface must lie near a plane, for the coarsest levels of a solid are a handful of samples that any
  * label fits. Pieces of different levels that share points of curves are one curve.
  * \param[in] levels of the ladder; levels and evidence that were left out at the fine end are empty there
- * \param[in] evidence of each */
+ * \param[in] evidence of each
+ * \param[in] neighbors NEAREST a point of the first level, of which seven outvote one in whether it is of a surface or
+ * a solid; or none */
 PersistentLabels choosePersistent (const std::vector<ScaleLevel>& levels,
-                                   const std::vector<LevelEvidence>& evidence);
+                                   const std::vector<LevelEvidence>& evidence,
+                                   const std::vector<pcl::index_t>& neighbors);
 
 /** Takes scales, offsets and tangents that were found in coordinates of the sensor back to space.
  * \param[in] points in space, as the labels */

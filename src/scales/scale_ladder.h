@@ -8,6 +8,9 @@
 namespace pcl {
 namespace manifold {
 
+/** So many nearest neighbours of every point are asked, those of kNearestNeighbors (). */
+constexpr int NEAREST = 10;
+
 /** The spacings at which a cloud is looked at, in the unit of the points. */
 struct ScaleRange
 {

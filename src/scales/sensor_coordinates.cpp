@@ -1,7 +1,7 @@
 #include "scales/sensor_coordinates.h"
 
 #include "common/parallel.h"
-#include "points/nearest_neighbors.h"
+#include "scales/scale_ladder.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -15,7 +15,6 @@ namespace manifold {
 
 namespace {
 
-constexpr int NEIGHBORS = 8;
 constexpr std::size_t ASKED = 3000;
 // (sigma1 - sigma2) / sigma1 of a point and its neighbours on a line.
 constexpr double LINEAR = 0.8;
@@ -72,11 +71,11 @@ SensorCoordinates::toSpace (const Eigen::Vector3d& point, const Eigen::Vector3d&
 }
 
 bool
-hasRings (const Eigen::Matrix3Xd& points, const Eigen::Vector3d& origin)
+hasRings (const Eigen::Matrix3Xd& points, const std::vector<pcl::index_t>& neighbors,
+          const Eigen::Vector3d& origin)
 {
   if (points.cols () < FEWEST_POINTS)
     return false;
-  const std::vector<pcl::index_t> neighbors = kNearestNeighbors (points, NEIGHBORS);
   const std::size_t step = std::max<std::size_t> (1, static_cast<std::size_t> (points.cols ()) / ASKED);
   std::size_t asked = 0, lines = 0, level = 0;
   for (Eigen::Index i = 0; i < points.cols (); i += static_cast<Eigen::Index> (step)) {
@@ -87,14 +86,14 @@ hasRings (const Eigen::Matrix3Xd& points, const Eigen::Vector3d& origin)
     ++asked;
     Eigen::Vector3d mean = Eigen::Vector3d::Zero ();
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero ();
-    for (int k = 0; k < NEIGHBORS; ++k) {
+    for (int k = 0; k < NEAREST; ++k) {
       const Eigen::Vector3d to =
-        points.col (neighbors[static_cast<std::size_t> (i) * NEIGHBORS + k]) - points.col (i);
+        points.col (neighbors[static_cast<std::size_t> (i) * NEAREST + k]) - points.col (i);
       mean += to;
       moments += to * to.transpose ();
     }
-    mean /= NEIGHBORS + 1;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (moments / (NEIGHBORS + 1) -
+    mean /= NEAREST + 1;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (moments / (NEAREST + 1) -
                                                                  mean * mean.transpose ());
     const Eigen::Vector3d sigma = solver.eigenvalues ().cwiseMax (0.0).cwiseSqrt ();
     if (!(sigma[2] > 0.0) || (sigma[2] - sigma[1]) / sigma[2] <= LINEAR)

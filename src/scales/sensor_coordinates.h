@@ -1,6 +1,10 @@
 #pragma once
 
+#include <pcl/types.h>
+
 #include <Eigen/Core>
+
+#include <vector>
 
 namespace pcl {
 namespace manifold {
@@ -32,8 +36,10 @@ private:
 /** Whether points are a frame of a spinning lidar at an origin, with its axis along z: where the neighbours
  * of points lie along lines, these lines run around the axis. True for frames of 16 to 64 rings, where a
  * fifth of the points or more see only their own ring and nearly all of these lines are level.
- * \param[in] points distinct; 1000 of them, spread over their order, are asked */
-bool hasRings (const Eigen::Matrix3Xd& points, const Eigen::Vector3d& origin);
+ * \param[in] points distinct; 3000 of them, spread over their order, are asked
+ * \param[in] neighbors NEAREST a point */
+bool hasRings (const Eigen::Matrix3Xd& points, const std::vector<pcl::index_t>& neighbors,
+               const Eigen::Vector3d& origin);
 
 } // namespace manifold
 } // namespace pcl
