@@ -32,12 +32,12 @@ struct ScaleParameters
  * \ingroup manifold */
 struct CurveMeasures
 {
-  std::size_t points = 0;                                  ///< of the cloud
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitX ();   ///< unit vector along which its points spread most
-  double length = 0.0;                                     ///< extent along that, in the unit of the cloud
-  double height = 0.0;                                     ///< extent along z, in the unit of the cloud
-  double verticality = 0.0;                                ///< the cosine of the angle between direction and z
-  double mean_radius = 0.0;                                ///< mean distance of its points from its axis
+  std::size_t points = 0;                                ///< of the cloud
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX (); ///< unit vector along which its points spread most
+  double length = 0.0;                                   ///< extent along that, in the unit of the cloud
+  double height = 0.0;                                   ///< extent along z, in the unit of the cloud
+  double verticality = 0.0;                              ///< the cosine of the angle between direction and z
+  double mean_radius = 0.0;                              ///< mean distance of its points from its axis
 };
 
 /** \brief The dimension that persists over the scales, per sample.
@@ -49,12 +49,12 @@ struct ScaleDimensions
   std::vector<std::uint8_t> dimension;          ///< as published, of the level from which on the answer holds
   std::vector<std::uint8_t> manifold_dimension; ///< the label that persists: 1, 2, 3
   std::vector<std::uint8_t> boundary;           ///< 1 on the rim, skin or end of the manifold, at that level
-  std::vector<float> confidence;                ///< mean over the levels on which the label persists, in [0, 1]
-  std::vector<float> scale;                     ///< spacing from which on it does, in the unit of the cloud
-  std::vector<float> persistence;               ///< octaves over which it does
-  Eigen::Matrix3Xf tangents;                    ///< unit vectors along curves; 0 elsewhere
-  std::vector<std::int32_t> curve;              ///< index into curves, or -1
-  std::vector<CurveMeasures> curves;            ///< numbered by their first samples
+  std::vector<float> confidence;     ///< mean over the levels on which the label persists, in [0, 1]
+  std::vector<float> scale;          ///< spacing from which on it does, in the unit of the cloud
+  std::vector<float> persistence;    ///< octaves over which it does
+  Eigen::Matrix3Xf tangents;         ///< unit vectors along curves; 0 elsewhere
+  std::vector<std::int32_t> curve;   ///< index into curves, or -1
+  std::vector<CurveMeasures> curves; ///< numbered by their first samples
 
   /// Whether the sensor's place was known or recognised.
   std::optional<Eigen::Vector3d> sensor_origin;
@@ -74,10 +74,11 @@ struct ScaleDimensions
  * \return as detectDimensions; PARAMETER_OUT_OF_RANGE also for scales that are negative, not finite or upside down,
  * and for an origin that is not finite. Does not throw
  * \ingroup manifold */
-PCL_MANIFOLD_DELAUNAY_EXPORTS Status
-detectScales (const Eigen::Matrix3Xd& points, const pcl::Indices& indices, double resolution,
-              const DimensionParameters& parameters, const ScaleParameters& scales, StageLog& log,
-              std::shared_ptr<const ScaleDimensions>& result) noexcept;
+PCL_MANIFOLD_DELAUNAY_EXPORTS Status detectScales (const Eigen::Matrix3Xd& points,
+                                                   const pcl::Indices& indices, double resolution,
+                                                   const DimensionParameters& parameters,
+                                                   const ScaleParameters& scales, StageLog& log,
+                                                   std::shared_ptr<const ScaleDimensions>& result) noexcept;
 
 } // namespace manifold
 } // namespace pcl
