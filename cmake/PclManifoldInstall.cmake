@@ -57,7 +57,7 @@ set (headers_of_delaunay "")
 if (NOT TARGET pcl_manifold_delaunay)
   set (names cocone_shape complex_reconstruction delaunay_complex delaunay_computation detect_dimensions
              dimension_detection fixed_point_complex fixed_point_reconstruction mesh_pieces reconstruct_fixed_point
-             reconstruct_shape sample_dimensions)
+             reconstruct_shape sample_dimensions scale_dimensions)
   list (JOIN names "|" names)
   set (headers_of_delaunay REGEX "/(${names})\\.(h|hpp)$" EXCLUDE)
 endif ()

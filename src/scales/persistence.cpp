@@ -2,6 +2,7 @@
 
 #include "common/parallel.h"
 #include "complex/disjoint_sets.h"
+#include "points/nearest_neighbors.h"
 
 #include <Eigen/Geometry>
 
@@ -17,7 +18,9 @@ namespace {
 // A curve as long as 64 spacings at one level, or 8 at two levels.
 constexpr float CURVE_OCTAVES = 6.0f;
 constexpr float OCTAVES_PER_LEVEL = 0.5f;
-constexpr float CONFIDENCE_OF_NEIGHBORS = 0.5f;
+// Of the ten nearest points so many outvote one in whether it is of a surface or a solid.
+constexpr int VOTERS = 10;
+constexpr int MAJORITY = 7;
 
 // Consecutive levels [begin, end) that say the same.
 struct Run
@@ -41,14 +44,19 @@ public:
       current_.begin = level;
     current_.weight += weight;
     current_.end = level + 1;
+    ++levels_;
     if (current_.weight > best_.weight)
       best_ = current_;
   }
 
   const Run& best () const { return best_; }
 
+  // Of all runs.
+  std::size_t levels () const { return levels_; }
+
 private:
   Run current_, best_;
+  std::size_t levels_ = 0;
 };
 
 float
@@ -76,16 +84,15 @@ choose (const std::vector<LevelEvidence>& evidence, const Path& path)
       continue;
     const LevelEvidence& here = evidence[level];
     const auto sample = static_cast<std::size_t> (path[level]);
-    // The confidence is in the published label. Where the neighbours have decided, on rims and skins, it says
-    // nothing of the decision; and sure of nothing is still a label.
-    const float sure = here.dimension[sample] == here.manifold_dimension[sample]
-                         ? std::max (here.confidence[sample], std::numeric_limits<float>::min ())
-                         : CONFIDENCE_OF_NEIGHBORS;
+    // Sure of nothing is still a label.
+    const float sure = std::max (here.confidence[sample], std::numeric_limits<float>::min ());
     curve.add (level, curveOctaves (here, sample));
     surface.add (level, here.manifold_dimension[sample] == 2 && here.flat[sample] != 0 ? sure : 0.0f);
     solid.add (level, here.manifold_dimension[sample] == 3 ? sure : 0.0f);
   }
-  if (curve.best ().weight >= CURVE_OCTAVES)
+  // A tree is as tall as thin from afar, but a solid at more scales than it is a curve.
+  const std::size_t others = std::max (surface.levels (), solid.levels ());
+  if (curve.best ().weight >= std::max (CURVE_OCTAVES, static_cast<float> (others)))
     return {1, curve.best ()};
   if (solid.best ().weight > surface.best ().weight)
     return {3, solid.best ()};
@@ -97,6 +104,25 @@ choose (const std::vector<LevelEvidence>& evidence, const Path& path)
     path.begin ());
   const auto label = evidence[finest].manifold_dimension[static_cast<std::size_t> (path[finest])];
   return {label, {0.0f, finest, finest + 1}};
+}
+
+// Surfaces and solids are thicker than a point: single ones that differ from those around them are mistaken.
+void
+outvote (const Eigen::Matrix3Xd& points, std::vector<std::uint8_t>& labels)
+{
+  if (points.cols () <= VOTERS)
+    return;
+  const std::vector<pcl::index_t> nearest = kNearestNeighbors (points, VOTERS);
+  const std::vector<std::uint8_t> chosen = labels;
+  parallelFor (labels.size (), [&] (std::size_t i) {
+    if (chosen[i] == 1)
+      return;
+    const std::uint8_t other = chosen[i] == 2 ? 3 : 2;
+    const pcl::index_t* voters = nearest.data () + i * VOTERS;
+    if (std::count_if (voters, voters + VOTERS, [&] (pcl::index_t q) { return chosen[q] == other; }) >=
+        MAJORITY)
+      labels[i] = other;
+  });
 }
 
 } // namespace
@@ -161,6 +187,8 @@ choosePersistent (const std::vector<ScaleLevel>& levels, const std::vector<Level
       result.confidence[point] = confidence / static_cast<float> (choice.run.end - choice.run.begin);
     }
   });
+
+  outvote (levels.front ().centers, result.manifold_dimension);
 
   // Points of curves join the pieces that they belong to on the levels of their runs.
   DisjointSets sets (first_piece.back ());
