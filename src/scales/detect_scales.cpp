@@ -76,14 +76,18 @@ dimensionsOf (const std::shared_ptr<const SampleSet>& samples, double rho, unsig
   return dimensions;
 }
 
-// The samples of a level, or null where they coincide.
+// The samples of a level, or null where not all of its centres can be told apart from nothing: they coincide,
+// or overflow.
 std::shared_ptr<const SampleSet>
 samplesOf (const ScaleLevel& level)
 {
   auto samples = std::make_shared<SampleSet> ();
   const double exact = std::numeric_limits<double>::epsilon () / 2.0;
   const Status status = makeSampleSet (level.centers, {}, Thinning (), exact, *samples);
-  return status == Status::OK ? samples : nullptr;
+  const auto missing = [] (std::int32_t sample) { return sample < 0; };
+  if (status != Status::OK || std::any_of (samples->sample_of.begin (), samples->sample_of.end (), missing))
+    return nullptr;
+  return samples;
 }
 
 LevelEvidence
@@ -127,9 +131,13 @@ detect (const Eigen::Matrix3Xd& points, const pcl::Indices& indices, double reso
   if (sensor) {
     if (!log.begin ("scan lines", 0.15f))
       return Status::CANCELLED;
-    if (const std::shared_ptr<const SampleSet> seen = samplesOf (levels.front ()))
-      finest =
-        0.5 * scanLineSpacing (*dimensionsOf (seen, parameters.rho, threads), parameters.rho) / seen->scale;
+    const std::shared_ptr<const SampleSet> seen = samplesOf (levels.front ());
+    if (!seen)
+      return Status::INPUT_OUT_OF_RANGE; // from so far away all points are one
+    const std::shared_ptr<const SampleDimensions> dimensions = dimensionsOf (seen, parameters.rho, threads);
+    finest = std::max (finest, 0.5 * scanLineSpacing (*dimensions, parameters.rho) / seen->scale);
+    if (levels.front ().spacing >= finest)
+      evidence.front () = evidenceOf (levels.front (), dimensions);
   }
   if (!log.begin ("levels", 0.3f))
     return Status::CANCELLED;
@@ -141,20 +149,18 @@ detect (const Eigen::Matrix3Xd& points, const pcl::Indices& indices, double reso
     if (const std::shared_ptr<const SampleSet> there = samplesOf (levels[level]))
       evidence[level] = evidenceOf (levels[level], dimensionsOf (there, parameters.rho, threads));
   }
-  if (levels.size () == 1 || levels.front ().spacing >= finest) {
+  if (!sensor && (levels.size () == 1 || levels.front ().spacing >= finest)) {
     if (!log.begin ("finest level", 0.6f))
       return Status::CANCELLED;
-    if (sensor) {
-      evidence.front () =
-        evidenceOf (levels.front (), dimensionsOf (samplesOf (levels.front ()), parameters.rho, threads));
-    } else {
-      result.finest = dimensionsOf (result.samples, parameters.rho, threads);
-      std::vector<std::int32_t> itself (static_cast<std::size_t> (samples.size ()));
-      std::iota (itself.begin (), itself.end (), 0);
-      evidence.front () = evaluateLevel (*result.finest, itself, levels.front ().spacing);
-      evidence.front ().spacing = levels.front ().spacing;
-    }
+    result.finest = dimensionsOf (result.samples, parameters.rho, threads);
+    std::vector<std::int32_t> itself (static_cast<std::size_t> (samples.size ()));
+    std::iota (itself.begin (), itself.end (), 0);
+    evidence.front () = evaluateLevel (*result.finest, itself, levels.front ().spacing);
+    evidence.front ().spacing = levels.front ().spacing;
   }
+  const auto is_empty = [] (const LevelEvidence& level) { return level.dimension.empty (); };
+  if (std::all_of (evidence.begin (), evidence.end (), is_empty))
+    return Status::INPUT_OUT_OF_RANGE;
 
   if (!log.begin ("persistence", 0.9f))
     return Status::CANCELLED;

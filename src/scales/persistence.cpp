@@ -2,7 +2,6 @@
 
 #include "common/parallel.h"
 #include "complex/disjoint_sets.h"
-#include "points/nearest_neighbors.h"
 
 #include <Eigen/Geometry>
 
@@ -18,8 +17,7 @@ namespace {
 // A curve as long as 64 spacings at one level, or 8 at two levels.
 constexpr float CURVE_OCTAVES = 6.0f;
 constexpr float OCTAVES_PER_LEVEL = 0.5f;
-// Of the ten nearest points so many outvote one in whether it is of a surface or a solid.
-constexpr int VOTERS = 10;
+// So many of the nearest points outvote one in whether it is of a surface or a solid.
 constexpr int MAJORITY = 7;
 
 // Consecutive levels [begin, end) that say the same.
@@ -108,18 +106,17 @@ choose (const std::vector<LevelEvidence>& evidence, const Path& path)
 
 // Surfaces and solids are thicker than a point: single ones that differ from those around them are mistaken.
 void
-outvote (const Eigen::Matrix3Xd& points, std::vector<std::uint8_t>& labels)
+outvote (const std::vector<pcl::index_t>& neighbors, std::vector<std::uint8_t>& labels)
 {
-  if (points.cols () <= VOTERS)
+  if (neighbors.empty ())
     return;
-  const std::vector<pcl::index_t> nearest = kNearestNeighbors (points, VOTERS);
   const std::vector<std::uint8_t> chosen = labels;
   parallelFor (labels.size (), [&] (std::size_t i) {
     if (chosen[i] == 1)
       return;
     const std::uint8_t other = chosen[i] == 2 ? 3 : 2;
-    const pcl::index_t* voters = nearest.data () + i * VOTERS;
-    if (std::count_if (voters, voters + VOTERS, [&] (pcl::index_t q) { return chosen[q] == other; }) >=
+    const pcl::index_t* voters = neighbors.data () + i * NEAREST;
+    if (std::count_if (voters, voters + NEAREST, [&] (pcl::index_t q) { return chosen[q] == other; }) >=
         MAJORITY)
       labels[i] = other;
   });
@@ -188,7 +185,7 @@ choosePersistent (const std::vector<ScaleLevel>& levels, const std::vector<Level
     }
   });
 
-  outvote (levels.front ().centers, result.manifold_dimension);
+  outvote (neighbors, result.manifold_dimension);
 
   // Points of curves join the pieces that they belong to on the levels of their runs.
   DisjointSets sets (first_piece.back ());

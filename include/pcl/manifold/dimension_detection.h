@@ -101,7 +101,8 @@ public:
    *
    * If this is not called, the cloud's own sensor_origin_ counts where it is not 0 0 0; and a frame of rings
    * around 0 0 0, where drivers put the sensor, is recognised.
-   * \param[in] origin in the coordinates of the cloud; not finite ends in PARAMETER_OUT_OF_RANGE */
+   * \param[in] origin in the coordinates of the cloud; not finite ends in PARAMETER_OUT_OF_RANGE, so far away that
+   * the points cannot be told apart from there in INPUT_OUT_OF_RANGE */
   void setSensorOrigin (const Eigen::Vector3d& origin) { scale_parameters_.sensor_origin = origin; }
 
   /** \brief The label of every point, as published, of the scale from which on its manifold dimension persists.
