@@ -136,7 +136,7 @@ detect (const Eigen::Matrix3Xd& points, const pcl::Indices& indices, double reso
       return Status::INPUT_OUT_OF_RANGE; // from so far away all points are one
     const std::shared_ptr<const SampleDimensions> dimensions = dimensionsOf (seen, parameters.rho, threads);
     finest = std::max (finest, 0.5 * scanLineSpacing (*dimensions, parameters.rho) / seen->scale);
-    if (levels.front ().spacing >= finest)
+    if (levels.size () == 1 || levels.front ().spacing >= finest)
       evidence.front () = evidenceOf (levels.front (), dimensions);
   }
   if (!log.begin ("levels", 0.3f))
