@@ -24,7 +24,7 @@ int main (int c, char** v)
   printf ("%-40s %7zu points %.2f s sensor %d curves %zu", v[1], cl.size (), dt, r->sensor_origin.has_value (), r->curves.size ());
   std::size_t n[4] = {}, tp = 0, fp = 0, fn = 0, vtp = 0, vfp = 0, vfn = 0, right = 0, solid_wall = 0, wall = 0, road = 0, road1 = 0; std::vector<int> lab (cl.size ()), cur (cl.size (), -1);
   for (std::size_t i = 0; i < cl.size (); ++i) { int q = r->samples->sample_of[i]; int l = q < 0 ? 0 : r->manifold_dimension[q]; lab[i] = l; if (q >= 0) cur[i] = r->curve[q]; ++n[l]; if (truth.empty ()) continue; bool t = want.count (truth[i]); tp += t && l == 1; fp += !t && l == 1; fn += t && l != 1; bool ve = l == 1 && (cur[i] >= 0 ? r->curves[cur[i]].verticality > .9 : std::abs (r->tangents (2, q)) > .9); vtp += t && ve; vfp += !t && ve; vfn += t && !ve; right += truth[i] == l; if (truth[i] == 50) { ++wall; solid_wall += l == 3; } if (truth[i] == 40) { ++road; road1 += l == 1; } }
-  auto F = [] (double a, double b, double d) { double p = a / std::max (1., a + b), q = a / std::max (1., a + d); return std::array<double, 3>{p, q, 2 * p * q / std::max (1e-9, p + q)}; };
+  auto F = [] (double a, double wrong, double d) { double p = a / std::max (1., a + wrong), q = a / std::max (1., a + d); return std::array<double, 3>{p, q, 2 * p * q / std::max (1e-9, p + q)}; };
   auto A = F (tp, fp, fn), V = F (vtp, vfp, vfn);
   printf (" shares %.3f %.3f %.3f", n[1] / double (cl.size ()), n[2] / double (cl.size ()), n[3] / double (cl.size ()));
   if (!truth.empty ()) printf (" | P %.3f R %.3f F1 %.3f | vertical P %.3f R %.3f F1 %.3f | right %.5f | road1 %.4f wall3 %.4f", A[0], A[1], A[2], V[0], V[1], V[2], right / double (cl.size ()), road1 / std::max (1., double (road)), solid_wall / std::max (1., double (wall)));
