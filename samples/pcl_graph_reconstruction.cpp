@@ -103,14 +103,12 @@ main (int argc, char** argv)
     Table table;
     describeInput (input, countsOf (input, reconstruction), report, table);
     options.describe (report);
-    describeLandmarks (reconstruction.getReport (), report, table);
+    describeLandmarks (reconstruction.getLandmarks ().size (), reconstruction.getReport (), report, table);
     report.result ("polygons", Json::UInt64 (mesh.polygons.size ()));
     table.row ("polygons written", mesh.polygons.size ());
-    if (options.parameters.triangulate) {
-      const pcl::TopologyReport topology = analyze (trianglesOf (mesh));
-      describeTopology (topology, report, table);
-      noteNonManifold (input_file, topology.surface, common.quiet);
-    }
+    const pcl::TopologyReport topology = analyze (facesOf (mesh));
+    describeTopology (topology, report, table);
+    noteNonManifold (input_file, topology.surface, common.quiet);
     describeStages (reconstruction.getStages (), report, table);
 
     mesh.cloud = input.cloud;

@@ -13,7 +13,6 @@ namespace {
 
 using pcl::SimplicialComplex;
 using pcl::manifold::analyze;
-using pcl::manifold::analyzeSurface;
 using pcl::manifold::CurveTopology;
 using pcl::manifold::FaceRows;
 using pcl::manifold::SolidTopology;
@@ -29,6 +28,12 @@ surfaceOf (const std::vector<Triangle>& triangles)
   SimplicialComplex complex;
   complex.triangles = triangles;
   return analyze (complex).surface;
+}
+
+SurfaceTopology
+surfaceOfRows (const FaceRows& faces)
+{
+  return analyze (faces).surface;
 }
 
 CurveTopology
@@ -128,14 +133,55 @@ TEST (TopologyReport, DegenerateSimplicesAreCountedAndLeftOut)
   EXPECT_EQ (1u, report.solid.tetrahedra);
 }
 
+FaceRows
+rowsOf (const std::vector<pcl::Indices>& faces)
+{
+  FaceRows rows;
+  for (const pcl::Indices& face : faces) {
+    rows.vertices.insert (rows.vertices.end (), face.begin (), face.end ());
+    rows.starts.push_back (rows.vertices.size ());
+  }
+  return rows;
+}
+
 TEST (TopologyReport, DegenerateRows)
 {
-  FaceRows faces;
-  faces.starts = {0, 0, 1, 3, 6};
-  faces.vertices = {1, 1, 2, 0, 1, 2};
-  const SurfaceTopology surface = analyzeSurface (faces);
-  EXPECT_EQ (3u, surface.degenerate_faces);
+  const SurfaceTopology surface = surfaceOfRows (
+    rowsOf ({{}, {1}, {1, 2}, {0, 1, 2}, {0, 1, 2, 1}, {3, 3, 4, 5}, {6, 7, 8, 7, 6, 9}, {-1, 1, 2}}));
+  EXPECT_EQ (7u, surface.degenerate_faces);
   EXPECT_EQ (1u, surface.faces);
+}
+
+// Two triangles that touch at 0 are bounded from outside by one face, which passes 0 twice.
+TEST (TopologyReport, FacesMayPassAVertexTwice)
+{
+  const SurfaceTopology surface = surfaceOfRows (rowsOf ({{0, 1, 2}, {0, 3, 4}, {0, 4, 3, 0, 2, 1}}));
+  EXPECT_EQ (0u, surface.degenerate_faces);
+  ASSERT_EQ (1u, surface.components.size ());
+  EXPECT_EQ (5u, surface.vertices);
+  EXPECT_EQ (6u, surface.inner_edges);
+  EXPECT_EQ (6u, surface.edges);
+  EXPECT_EQ (2, surface.euler_characteristic);
+  EXPECT_TRUE (surface.isOrientable ());
+  EXPECT_TRUE (surface.isClosed ());
+  // Around 0 the faces are one disc: sides go 1, 2, 3, 4 and back.
+  EXPECT_EQ (0u, surface.non_manifold_vertices);
+  EXPECT_EQ (0, surface.components[0].genus);
+  EXPECT_EQ (1u, surfaceOfRows (rowsOf ({{0, 4, 3, 0, 2, 1}})).non_manifold_vertices);
+  EXPECT_EQ (1u, surfaceOfRows (rowsOf ({{0, 4, 3, 0, 2, 1}, {0, 3, 4, 0, 1, 2}})).duplicate_faces);
+}
+
+TEST (TopologyReport, EdgesThatAreNoSidesAreCurves)
+{
+  const pcl::TopologyReport report =
+    analyze (rowsOf ({{0, 1, 2, 3}, {3, 2, 5}}), {{1, 0}, {2, 3}, {3, 0}, {0, 2}, {5, 6}, {6, 7}, {6, 5}});
+  EXPECT_EQ (7u, report.vertices);
+  EXPECT_EQ (4u, report.curve.edges);
+  EXPECT_EQ (1u, report.curve.duplicate_edges);
+  EXPECT_EQ (2u, report.curve.components.size ());
+  EXPECT_EQ (2u, report.surface.faces);
+  EXPECT_EQ (1u, report.surface.triangles);
+  EXPECT_EQ (0u, report.solid.tetrahedra);
 }
 
 TEST (TopologyReport, LargeIndicesNeedNoLargeTables)
@@ -306,7 +352,7 @@ TEST (TopologyReport, Polygons)
   FaceRows cube;
   cube.vertices = {0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6, 3, 0, 4, 7};
   cube.starts = {0, 4, 8, 12, 16, 20, 24};
-  expectSurface (analyzeSurface (cube), 0, 2, true, 0);
+  expectSurface (surfaceOfRows (cube), 0, 2, true, 0);
 
   FaceRows prism; // over a pentagon, without its lid
   prism.vertices = {0, 1, 2, 3, 4};
@@ -316,14 +362,14 @@ TEST (TopologyReport, Polygons)
     prism.vertices.insert (prism.vertices.end (), {i, j, j + 5, i + 5});
     prism.starts.push_back (prism.vertices.size ());
   }
-  const SurfaceTopology surface = analyzeSurface (prism);
+  const SurfaceTopology surface = surfaceOfRows (prism);
   expectSurface (surface, 1, 1, true, 0);
   EXPECT_EQ (5u, surface.boundary_edges);
 
   FaceRows quads; // the same four vertices in the same and in another order
   quads.vertices = {0, 1, 2, 3, 2, 1, 0, 3, 0, 2, 1, 3};
   quads.starts = {0, 4, 8, 12};
-  EXPECT_EQ (1u, analyzeSurface (quads).duplicate_faces);
+  EXPECT_EQ (1u, surfaceOfRows (quads).duplicate_faces);
 }
 
 TEST (TopologyReport, ComponentsAreSortedBySize)

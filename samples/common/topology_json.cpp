@@ -31,24 +31,6 @@ toJson (const SurfaceComponent& component)
 }
 
 Json::Value
-toJson (const SurfaceTopology& surface)
-{
-  Json::Value json (Json::objectValue);
-  json["triangles"] = count (surface.faces);
-  json["vertices"] = count (surface.vertices);
-  json["edges"] = count (surface.edges);
-  json["boundary_edges"] = count (surface.boundary_edges);
-  json["boundary_loops"] = count (surface.boundary_loops);
-  json["non_manifold_edges"] = count (surface.non_manifold_edges);
-  json["non_manifold_vertices"] = count (surface.non_manifold_vertices);
-  json["euler_characteristic"] = Json::Int64 (surface.euler_characteristic);
-  json["components"] = Json::Value (Json::arrayValue);
-  for (const SurfaceComponent& component : surface.components)
-    json["components"].append (toJson (component));
-  return json;
-}
-
-Json::Value
 toJson (const CurveTopology& curve)
 {
   Json::Value json (Json::objectValue);
@@ -75,14 +57,14 @@ toJson (const SolidTopology& solid)
   json["vertices"] = count (solid.vertices);
   json["non_manifold_triangles"] = count (solid.non_manifold_triangles);
   json["components"] = count (solid.components.size ());
-  json["boundary"] = toJson (solid.boundary);
+  json["boundary"] = surfaceJson (solid.boundary);
   return json;
 }
 
 void
 tabulate (const std::string& name, const SurfaceTopology& surface, Table& table)
 {
-  table.row (name + " triangles", surface.faces);
+  table.row (name + (surface.triangles == surface.faces ? " triangles" : " faces"), surface.faces);
   table.row (name + " components", surface.components.size ());
   table.row (name + " boundary loops", surface.boundary_loops);
   table.row (name + " non-manifold", grouped (surface.non_manifold_edges) + " edges, " +
@@ -95,12 +77,31 @@ tabulate (const std::string& name, const SurfaceTopology& surface, Table& table)
 
 } // namespace
 
+Json::Value
+surfaceJson (const SurfaceTopology& surface)
+{
+  Json::Value json (Json::objectValue);
+  json["faces"] = count (surface.faces);
+  json["triangles"] = count (surface.triangles);
+  json["vertices"] = count (surface.vertices);
+  json["edges"] = count (surface.edges);
+  json["boundary_edges"] = count (surface.boundary_edges);
+  json["boundary_loops"] = count (surface.boundary_loops);
+  json["non_manifold_edges"] = count (surface.non_manifold_edges);
+  json["non_manifold_vertices"] = count (surface.non_manifold_vertices);
+  json["euler_characteristic"] = Json::Int64 (surface.euler_characteristic);
+  json["components"] = Json::Value (Json::arrayValue);
+  for (const SurfaceComponent& component : surface.components)
+    json["components"].append (toJson (component));
+  return json;
+}
+
 void
 describeTopology (const pcl::TopologyReport& topology, Report& report, Table& table)
 {
   report.result ("vertices", count (topology.vertices));
   report.result ("curves", toJson (topology.curve));
-  report.result ("surfaces", toJson (topology.surface));
+  report.result ("surfaces", surfaceJson (topology.surface));
   report.result ("solids", toJson (topology.solid));
   table.row ("vertices used", topology.vertices);
   if (topology.curve.edges > 0) {

@@ -7,6 +7,8 @@
 
 namespace pcl::manifold::apps {
 
+Json::Value surfaceJson (const SurfaceTopology& surface);
+
 /** \brief Reports and tabulates the topology of a complex. */
 void describeTopology (const pcl::TopologyReport& topology, Report& report, Table& table);
 

@@ -4,6 +4,7 @@
 #include "extraction/cell_star.h"
 #include "extraction/color_changes.h"
 #include "extraction/patches.h"
+#include "extraction/surface_pruning.h"
 #include "extraction/triangle_shape.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/manifold/graph_voronoi.h>
+#include <pcl/manifold/topology_report.h>
 
 #include <array>
 #include <cstddef>
@@ -62,48 +63,11 @@ PCL_MANIFOLD_CORE_EXPORTS LandmarkMesh findFaces (const NeighborhoodGraph& graph
 PCL_MANIFOLD_CORE_EXPORTS std::vector<std::array<pcl::index_t, 3>> triangulateFaces (
   const LandmarkMesh& mesh, const Eigen::Ref<const Eigen::MatrixXd>& points);
 
-/** \brief The topology of one component of a landmark mesh, n - e + f = 2 - 2 g (section 4.3). */
-struct LandmarkComponent
-{
-  std::size_t vertices = 0;  ///< n: landmarks
-  std::size_t edges = 0;     ///< e
-  std::size_t faces = 0;     ///< f
-  std::size_t triangles = 0; ///< faces of three edges
-  std::size_t edges_in_no_face = 0;
-  std::size_t edges_in_one_face = 0;
-  std::size_t edges_in_two_faces = 0;
-  std::size_t edges_in_more_faces = 0;
-  /// The holes of the mesh, and loops of edges in one face that are in none of them, from each to the next
-  /// that bounds the same fan of faces
-  std::size_t boundary_loops = 0;
-  bool orientable = true;
-
-  /// Is every edge in two faces?
-  bool isClosed () const { return faces > 0 && edges_in_two_faces == edges; }
-
-  /// (2 - n + e - f) / 2, as in equation 2. The genus if the component is closed and orientable; else only
-  /// that number, to which every boundary loop adds a half, and an edge in no face up to as much.
-  double genus () const
-  {
-    return (2.0 - static_cast<double> (vertices) + static_cast<double> (edges) -
-            static_cast<double> (faces)) /
-           2.0;
-  }
-};
-
-/** \brief The topology of a landmark mesh: the sum over all components, and each of them, the one with the
- * most landmarks first. The formula for the genus is one for each component: that of the total is right where
- * there is one only. */
-struct LandmarkMeshReport
-{
-  LandmarkComponent total;
-  std::vector<LandmarkComponent> components;
-};
-
-/** \brief Counts, and sorts by components: landmarks that hang together through edges. Close to linear.
- * \param[in] mesh any; an edge of a face that is not among the edges counts as one
- * \param[in] landmarks the number of landmarks: all numbers in the mesh are below it */
-PCL_MANIFOLD_CORE_EXPORTS LandmarkMeshReport analyze (const LandmarkMesh& mesh, std::size_t landmarks);
+/** \brief The topology of a mesh of landmarks, before it is cut into triangles: its faces are the surface,
+ * its edges in no face the curve. Landmarks without an edge are not in it. Of a closed orientable component
+ * of the surface n - e + f = 2 - 2 g (section 4.3).
+ * \param[in] mesh any; an edge of a face need not be among the edges */
+PCL_MANIFOLD_CORE_EXPORTS pcl::TopologyReport analyze (const LandmarkMesh& mesh);
 
 } // namespace manifold
 } // namespace pcl

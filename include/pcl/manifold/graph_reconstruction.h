@@ -193,8 +193,9 @@ public:
   /** \brief Edges, faces and holes over the numbers of landmarks; the faces as found, not triangulated. */
   const manifold::LandmarkMesh& getLandmarkMesh () const { return result_.mesh; }
 
-  /** \brief Counts and genus of the mesh of landmarks, before it was triangulated (section 4.3). */
-  const manifold::LandmarkMeshReport& getReport () const { return result_.report; }
+  /** \brief Counts and genus of the mesh of landmarks, before it was triangulated (section 4.3); its edges in
+   * no face are the curve. */
+  const TopologyReport& getReport () const { return result_.report; }
 
   /** \brief The neighbourhood graph that was used. */
   const manifold::NeighborhoodGraph& getNeighborhoodGraph () const { return cloud_graph_.graph; }

@@ -4,6 +4,7 @@
 #include <pcl/manifold/simplicial_complex.h>
 #include <pcl/types.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -51,7 +52,8 @@ struct SurfaceComponent
  * share counts once. */
 struct SurfaceTopology
 {
-  std::size_t faces = 0; ///< without the degenerate ones
+  std::size_t faces = 0;     ///< without the degenerate ones
+  std::size_t triangles = 0; ///< faces of three edges
   std::size_t vertices = 0;
   std::size_t edges = 0;
   std::size_t boundary_edges = 0;
@@ -62,11 +64,20 @@ struct SurfaceTopology
   std::size_t non_manifold_vertices = 0;
   std::size_t boundary_loops = 0;
   std::int64_t euler_characteristic = 0; ///< vertices - edges + faces
-  /** Faces of fewer than three vertices, or with a repeated or negative vertex: left out of all else. */
+  /** Faces of fewer than three vertices, with a negative vertex, or that pass an edge twice or from a vertex
+   * to itself: left out of all else. A face may pass a vertex more than once, which then is no manifold one.
+   */
   std::size_t degenerate_faces = 0;
   /** Faces with the same edges as another one before them: they take part in all else. */
   std::size_t duplicate_faces = 0;
   std::vector<SurfaceComponent> components; ///< most faces first; of equals the one with the first face
+
+  /** \brief Every component has two sides (an empty surface is orientable). */
+  bool isOrientable () const
+  {
+    return std::all_of (components.begin (), components.end (),
+                        [] (const SurfaceComponent& component) { return component.orientable; });
+  }
 
   /** \brief No boundary edge (an empty surface is closed). */
   bool isClosed () const { return boundary_edges == 0; }
@@ -123,9 +134,10 @@ struct SolidTopology
 
 } // namespace manifold
 
-/** \brief What a complex is, topologically. The surface is the topology of the triangles alone and
- * solid.boundary that of the boundary of the tetrahedra alone, because a reconstruction takes its sheets and
- * the skins of its solids for different things: where a sheet meets a solid, its rim is a boundary. */
+/** \brief What a complex, or a mesh of polygons and edges, is topologically. The surface is the topology of
+ * the triangles or polygons alone and solid.boundary that of the boundary of the tetrahedra alone, because a
+ * reconstruction takes its sheets and the skins of its solids for different things: where a sheet meets a
+ * solid, its rim is a boundary. */
 struct TopologyReport
 {
   std::size_t vertices = 0; ///< distinct vertices of edges, triangles and tetrahedra together
@@ -142,10 +154,13 @@ namespace manifold {
  * \return the report; it does not depend on the numbering of the vertices */
 PCL_MANIFOLD_CORE_EXPORTS pcl::TopologyReport analyze (const SimplicialComplex& complex);
 
-/** \brief As analyze (complex), for faces of any number of vertices.
+/** \brief As analyze (complex), for faces of any number of vertices and the edges between them.
  * \param[in] faces rows as described in FaceRows
- * \return the topology of the faces as a surface */
-PCL_MANIFOLD_CORE_EXPORTS SurfaceTopology analyzeSurface (const FaceRows& faces);
+ * \param[in] edges those that are sides of a face, degenerate or not, tell nothing new; the curve of the
+ * report is the topology of the others, which are in no face
+ * \return without a solid */
+PCL_MANIFOLD_CORE_EXPORTS pcl::TopologyReport analyze (
+  const FaceRows& faces, const std::vector<SimplicialComplex::Edge>& edges = {});
 
 } // namespace manifold
 } // namespace pcl
