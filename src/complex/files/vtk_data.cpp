@@ -24,8 +24,10 @@ coordinateColumns (const VtkArray& points)
   const std::size_t count = points.values () / 3;
   std::vector<CloudColumn> columns;
   for (std::size_t k = 0; k < 3; ++k) {
-    columns.push_back (
-      {std::string (1, static_cast<char> ('x' + k)), narrow ? Field::FLOAT32 : Field::FLOAT64, 1, {}});
+    columns.push_back ({std::string (1, static_cast<char> ('x' + k)),
+                        static_cast<ScalarType> (narrow ? Field::FLOAT32 : Field::FLOAT64),
+                        1,
+                        {}});
     std::vector<std::uint8_t>& data = columns.back ().data;
     data.resize (count * size);
     for (std::size_t i = 0; i < count; ++i) {
