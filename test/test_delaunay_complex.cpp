@@ -2,7 +2,7 @@
 #include "oracle_complex.h"
 #include "oracle_lattice.h"
 
-#include "common/guarded.h"
+#include <pcl/manifold/detail/guarded.h>
 #include "common/parallel.h"
 #include "delaunay/flat_complex.h"
 

@@ -99,20 +99,20 @@ partsOf (const SimplicialComplex& shape)
     for (std::size_t k = 0; k < 3; ++k)
       at_edge[{shape.triangles[i][k], shape.triangles[i][(k + 1) % 3]}].push_back (i);
   std::vector<SimplicialComplex> parts;
-  std::vector<std::uint8_t> taken (shape.triangles.size (), 0);
+  std::vector<bool> taken (shape.triangles.size (), false);
   for (std::size_t seed = 0; seed < taken.size (); ++seed) {
-    if (taken[seed] != 0)
+    if (taken[seed])
       continue;
     parts.emplace_back ();
-    taken[seed] = 1;
+    taken[seed] = true;
     for (std::vector<std::size_t> front{seed}; !front.empty ();) {
       const SimplicialComplex::Triangle& triangle = shape.triangles[front.back ()];
       front.pop_back ();
       parts.back ().triangles.push_back (triangle);
       for (std::size_t k = 0; k < 3; ++k)
         for (const std::size_t next : at_edge[{triangle[k], triangle[(k + 1) % 3]}])
-          if (taken[next] == 0) {
-            taken[next] = 1;
+          if (!taken[next]) {
+            taken[next] = true;
             front.push_back (next);
           }
     }
