@@ -151,7 +151,7 @@ fields (const std::vector<std::string>& names)
     const pcl::PCLPointCloud2 cloud = pcl::manifold::apps::readCloud (result.file).cloud;
     std::string missing;
     for (const std::string& name : names)
-      if (pcl::manifold::apps::findField (cloud, name) == nullptr)
+      if (pcl::manifold::findField (cloud, name) == nullptr)
         missing += " " + name;
     return missing.empty () ? missing : "missing fields:" + missing;
   });

@@ -53,7 +53,7 @@ double
 parseDouble (const std::string& text)
 {
   double number = 0.0;
-  if (!pcl::manifold::apps::parseNumber (std::string_view (text), number))
+  if (!pcl::manifold::parseNumber (std::string_view (text), number))
     throw UsageError (text, "is no number");
   return number;
 }

@@ -18,7 +18,7 @@ Number
 parse (const std::string& text)
 {
   Number number{};
-  if (!pcl::manifold::apps::parseNumber (std::string_view (text), number))
+  if (!pcl::manifold::parseNumber (std::string_view (text), number))
     throw pcl::manifold::apps::UsageError (text, "is no number");
   return number;
 }
