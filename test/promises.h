@@ -225,11 +225,15 @@ brokenByLandmarks (const Case& input, const pcl::GraphReconstruction<pcl::PointX
   const auto tiles = object.getTiles ();
   if (object.getStatus () == Status::OK && tiles.size () != input.points.size ())
     return "not one tile a point";
-  for (std::size_t i = 0; i < tiles.size (); ++i)
-    if (input.points[i].allFinite ()
-          ? tiles[i] < 0 || static_cast<std::size_t> (tiles[i]) >= landmarks.size ()
-          : tiles[i] != -1)
+  std::size_t left_out = 0; // although finite
+  for (std::size_t i = 0; i < tiles.size (); ++i) {
+    left_out += input.points[i].allFinite () && tiles[i] == -1 ? 1 : 0;
+    if (tiles[i] < -1 || tiles[i] >= static_cast<pcl::index_t> (landmarks.size ()) ||
+        (!input.points[i].allFinite () && tiles[i] != -1))
       return "a point with a wrong tile";
+  }
+  if (object.getStatus () == Status::OK && left_out != object.getNoMeasurementCount ())
+    return "a finite point without a tile, which is a measurement";
   if (object.getReport ().surface.non_manifold_edges > 0)
     return "an edge of the landmark mesh in more than two faces";
   return {};

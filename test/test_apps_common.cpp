@@ -330,11 +330,12 @@ TEST (MeshDistance, PlacesAreAsDenseAsAskedFor)
 
 TEST (Summary, SaysWhatWasLeftOut)
 {
-  EXPECT_EQ (inWords (PointCounts{0, 0, 0, 0, 0}), "0 points, none left out");
-  EXPECT_EQ (inWords (PointCounts{1, 0, 0, 0, 1}), "1 point, none left out");
-  EXPECT_EQ (inWords (PointCounts{4000, 3, 0, 1996, 2001}),
+  EXPECT_EQ (inWords (PointCounts{0, 0, 0, 0, 0, 0}), "0 points, none left out");
+  EXPECT_EQ (inWords (PointCounts{1, 0, 0, 0, 0, 1}), "1 point, none left out");
+  EXPECT_EQ (inWords (PointCounts{4000, 3, 0, 0, 1996, 2001}),
              "4 000 points, left out 3 not finite, 1 996 thinned: 2 001 samples");
-  EXPECT_EQ (inWords (PointCounts{3, 0, 2, 0, 1}), "3 points, left out 2 duplicate: 1 sample");
+  EXPECT_EQ (inWords (PointCounts{3, 0, 0, 2, 0, 1}), "3 points, left out 2 duplicate: 1 sample");
+  EXPECT_EQ (inWords (PointCounts{9, 0, 8, 0, 0, 1}), "9 points, left out 8 no measurement: 1 sample");
 }
 
 TEST (Summary, SaysHowManyPartsThereAreAndOfWhichKind)

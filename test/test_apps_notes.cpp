@@ -50,12 +50,13 @@ class Notes : public testing::TestWithParam<const char*>
 protected:
   TestFolder folder;
 
-  Outcome runOn (const std::string& input)
+  Outcome runOn (const std::string& input, const std::string& options = "")
   {
     const std::string app = GetParam ();
     const std::string output = app.find ("dimension") == std::string::npos ? "out.ply" : "out.pcd";
     return run (folder, app,
-                "'" + input + "' '" + folder / output + "' -threads 1 -report '" + folder / "report" + "'");
+                "'" + input + "' '" + folder / output + "' -threads 1 -report '" + folder / "report" + "'" +
+                  options);
   }
 
   Json::Value report () const
@@ -104,12 +105,14 @@ class Rows : public Notes
 
 TEST_P (Rows, TellsWhatHelpsWhereTheyLookLikeCurves)
 {
-  const Outcome rows = runOn (folder.write ("rows.xyz", sections (1.5)));
+  // At all scales rows are no curves.
+  const std::string once = GetParam () == std::string (DIMENSION_DETECTION_APP) ? " -published" : "";
+  const Outcome rows = runOn (folder.write ("rows.xyz", sections (1.5)), once);
   ASSERT_EQ (rows.exit_status, 0) << rows.error;
   EXPECT_NE (rows.error.find ("-thin 8"), std::string::npos) << rows.error;
   EXPECT_GT (report ()["result"]["contradicted"].asInt (), 2000);
   // Curves far apart are curves.
-  const Outcome curves = runOn (folder.write ("curves.xyz", sections (20)));
+  const Outcome curves = runOn (folder.write ("curves.xyz", sections (20)), once);
   ASSERT_EQ (curves.exit_status, 0) << curves.error;
   EXPECT_EQ (curves.error.find ("-thin 8"), std::string::npos) << curves.error;
   EXPECT_LT (report ()["result"]["contradicted"].asInt (), 400);

@@ -181,6 +181,7 @@ TEST (Pcd, SaysWhatIsWrongWithAHeader)
     {"FIELDS x y z\n", "the header has no DATA line"},
     {"SIZE 4\n", "line 1: SIZE comes before FIELDS"},
     {"POINTS 1\nDATA ascii\n1", "the header has no FIELDS line"},
+    {"FIELDS x\nSIZE 4\nTYPE F\nFIELDS x y z\nPOINTS 1\nDATA ascii\n1 2 3", "the header has no SIZE line"},
     {"POINTS 1\nFIELDS x y z\nTYPE F F F\nDATA ascii\n1 2 3", "the header has no SIZE line"},
     {"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nDATA ascii\n1 2 3", "the header has neither WIDTH nor POINTS"},
   };

@@ -203,6 +203,34 @@ TEST (Ply, KeepsTheLayoutOfAnOrganisedCloud)
   EXPECT_EQ (readCloud (folder.write ("b.ply", text)).cloud.height, 1u);
 }
 
+TEST (Ply, KeepsTheSensorThatPclWrites)
+{
+  const TestFolder folder;
+  pcl::PointCloud<pcl::PointXYZ> points (4, 3);
+  pcl::PCLPointCloud2 cloud;
+  pcl::toPCLPointCloud2 (points, cloud);
+  const Eigen::Quaternionf turn (Eigen::AngleAxisf (0.7f, Eigen::Vector3f (1, 2, 3).normalized ()));
+  for (const bool binary : {false, true}) {
+    ASSERT_EQ (
+      pcl::PLYWriter ().write (folder / "a.ply", cloud, Eigen::Vector4f (1, -2, 30, 0), turn, binary, true),
+      0);
+    const InputCloud input = readCloud (folder / "a.ply");
+    EXPECT_EQ (input.cloud.width, 4u);
+    EXPECT_EQ (input.cloud.height, 3u);
+    const Viewpoint& view = input.viewpoint;
+    EXPECT_EQ (view[0], 1);
+    EXPECT_EQ (view[1], -2);
+    EXPECT_EQ (view[2], 30);
+    const Eigen::Quaterniond read (view[3], view[4], view[5], view[6]);
+    EXPECT_LT (read.angularDistance (turn.cast<double> ()), 1e-4);
+  }
+  // Such a camera has no axes.
+  const std::string other =
+    "ply\nformat ascii 1.0\nelement camera 1\nproperty float view_px\nelement vertex 1\n"
+    "property float x\nproperty float y\nproperty float z\nend_header\n7\n1 2 3\n";
+  EXPECT_EQ (readCloud (folder.write ("b.ply", other)).viewpoint, (Viewpoint{0, 0, 0, 1, 0, 0, 0}));
+}
+
 TEST (Reader, DoesNotReadWhatIsOnlyWritten)
 {
   const TestFolder folder;

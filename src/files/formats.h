@@ -21,7 +21,7 @@ struct FileContent
 {
   pcl::PCLPointCloud2 cloud;
   SimplicialComplex complex;
-  Viewpoint viewpoint{0, 0, 0, 1, 0, 0, 0}; ///< of a PCD file
+  Viewpoint viewpoint{0, 0, 0, 1, 0, 0, 0}; ///< of a PCD file, or a PLY file of PCL
   std::vector<std::string> notes;           ///< lines that the user should be told: what was left out
 };
 

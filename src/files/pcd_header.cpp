@@ -78,6 +78,9 @@ private:
     if (words.size () < 2)
       fail (words[0], "names no field");
     names_.assign (words.begin () + 1, words.end ());
+    sizes_.clear (); // of other fields, if this is the second such line
+    types_.clear ();
+    counts_.clear ();
   }
 
   void takeNumbers (const Words& words, std::vector<std::uint64_t>& numbers)

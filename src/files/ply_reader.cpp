@@ -5,7 +5,10 @@
 
 #include <pcl/types.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <limits>
 
@@ -34,8 +37,16 @@ public:
         readEdges (element);
       else if (element.name == "face")
         readFaces (element);
+      else if (element.name == "camera")
+        readCamera (element);
       else
         readRows (element, [] {});
+    }
+    pcl::PCLPointCloud2& cloud = content_.cloud;
+    if (rows_ > 1 && vertices_ % rows_ == 0 && vertices_ / rows_ == columns_) {
+      cloud.height = static_cast<pcl::uindex_t> (rows_);
+      cloud.width = static_cast<pcl::uindex_t> (columns_);
+      cloud.row_step = cloud.point_step * cloud.width;
     }
     return std::move (content_);
   }
@@ -139,12 +150,6 @@ private:
                                 dropped);
     joinColors (fields);
     content_.cloud = makeCloud (fields, element.count);
-    if (header_.rows > 1 && element.count % header_.rows == 0 &&
-        element.count / header_.rows == header_.columns) {
-      content_.cloud.height = static_cast<pcl::uindex_t> (header_.rows);
-      content_.cloud.width = static_cast<pcl::uindex_t> (header_.columns);
-      content_.cloud.row_step = content_.cloud.point_step * content_.cloud.width;
-    }
   }
 
   /** \brief Makes one column of red, green, blue and, if there is one, alpha, in the place of red. */
@@ -224,10 +229,39 @@ private:
     });
   }
 
+  /** \brief Reads where the sensor stood and the layout of an organised cloud, as PCL writes them. */
+  void readCamera (const PlyElement& element)
+  {
+    constexpr const char* names[] = {"view_px", "view_py", "view_pz", "x_axisx", "x_axisy", "x_axisz",
+                                     "y_axisx", "y_axisy", "y_axisz", "z_axisx", "z_axisy", "z_axisz"};
+    std::array<double, 12> pose{};
+    readRows (element, [&] {
+      const PlyProperty& property = element.properties[property_];
+      if (property.is_list)
+        return;
+      const double value = toDouble (property.type, values_.data ());
+      for (std::size_t k = 0; k < pose.size (); ++k)
+        if (property.name == names[k])
+          pose[k] = value;
+      if (property.name == "viewportx" && value >= 1 && value <= static_cast<double> (vertices_))
+        columns_ = static_cast<std::size_t> (value);
+      if (property.name == "viewporty" && value >= 1 && value <= static_cast<double> (vertices_))
+        rows_ = static_cast<std::size_t> (value);
+    });
+    const Eigen::Matrix3d axes = Eigen::Map<Eigen::Matrix3d> (pose.data () + 3).transpose ();
+    // Other programs write cameras of other kinds.
+    if (!(axes * axes.transpose ()).isIdentity (1e-3) || axes.determinant () < 0)
+      return;
+    const Eigen::Quaterniond q (axes);
+    content_.viewpoint = {pose[0], pose[1], pose[2], q.w (), q.x (), q.y (), q.z ()};
+  }
+
   Scanner scanner_;
   const PlyHeader header_;
   FileContent content_;
   std::size_t vertices_ = 0;
+  std::size_t columns_ = header_.columns; ///< of an organised cloud, with rows; unchecked
+  std::size_t rows_ = header_.rows;
   std::size_t row_ = 0;
   std::size_t property_ = 0;
   std::vector<std::uint8_t> values_;
