@@ -12,6 +12,7 @@
 #include <generate/catalogue.h>
 #include <generate/labelled_cloud.h>
 #include <generate/lidar.h>
+#include <generate/lidar_sweeps.h>
 #include <generate/sampling.h>
 #include <generate/scenes.h>
 
@@ -27,7 +28,7 @@ using namespace pcl::manifold::apps;
 
 namespace {
 
-const std::string SCENE = "scene", AERIAL = "lidar-aerial", TERRESTRIAL = "lidar-terrestrial";
+const std::string SCENE = "scene";
 constexpr double MOST_POINTS = 2e7;
 
 /** What the user asked for. */
@@ -41,10 +42,14 @@ struct Request
   std::uint64_t seed = 1;
 };
 
-bool
-isLidar (const Request& request)
+/** The lidar of that name, or nullptr. */
+const generate::LidarSweep*
+lidarOf (const Request& request)
 {
-  return request.shape == AERIAL || request.shape == TERRESTRIAL;
+  for (const generate::LidarSweep& lidar : generate::lidarSweeps ())
+    if (lidar.name == request.shape)
+      return &lidar;
+  return nullptr;
 }
 
 /** Puts the usual values in place of those that were not given; refuses what does not go together. */
@@ -52,17 +57,17 @@ Request
 completed (Request request)
 {
   const std::vector<std::string>& names = generate::shapeNames ();
-  const bool lidar = isLidar (request);
-  if (!lidar && request.shape != SCENE &&
+  const generate::LidarSweep* const lidar = lidarOf (request);
+  if (lidar == nullptr && request.shape != SCENE &&
       std::find (names.begin (), names.end (), request.shape) == names.end ())
     throw UsageError ("SHAPE", "there is no shape '" + request.shape + "', see -list");
   requireType ("OUT", request.file, {".pcd"});
 
   if (request.sampling == "auto")
-    request.sampling = lidar ? "lidar" : "blue";
+    request.sampling = lidar != nullptr ? "lidar" : "blue";
   if (request.sampling != "blue" && request.sampling != "random" && request.sampling != "lidar")
     throw UsageError ("-sampling", "'" + request.sampling + "' is none of blue, random, lidar");
-  if (lidar != (request.sampling == "lidar"))
+  if ((lidar != nullptr) != (request.sampling == "lidar"))
     throw UsageError ("-sampling", "'" + request.sampling + "' does not go with " + request.shape);
 
   if (request.spacing > 0.0 && request.points > 0)
@@ -70,10 +75,10 @@ completed (Request request)
   if (request.spacing > 0.0 && request.sampling != "blue")
     throw UsageError ("-spacing", "goes with blue noise only");
   if (request.spacing == 0.0 && request.points == 0)
-    request.points = lidar ? 200000 : 10000;
+    request.points = lidar != nullptr ? lidar->usual_points : 10000;
 
   if (request.noise == "auto")
-    request.noise = lidar ? "0.02" : "0";
+    request.noise = lidar != nullptr ? "0.02" : "0";
   return request;
 }
 
@@ -103,13 +108,12 @@ spacingOf (const Request& request, const std::vector<generate::Shape>& shapes)
 generate::LabelledCloud
 makeCloud (const Request& request, const generate::Tick& tick, Report& report)
 {
-  if (isLidar (request)) {
+  if (const generate::LidarSweep* const lidar = lidarOf (request)) {
     generate::LidarSettings settings;
     settings.points = request.points;
     settings.range_noise = noiseOf (request);
     settings.seed = request.seed;
-    return request.shape == AERIAL ? generate::lidarAerial (settings, tick)
-                                   : generate::lidarTerrestrial (settings, tick);
+    return lidar->make (settings, tick);
   }
   const bool is_scene = request.shape == SCENE;
   const std::vector<generate::Shape> shapes =
@@ -173,8 +177,8 @@ printList ()
     print (name, std::to_string (shape.dimension), std::to_string (shape.topology.euler));
   }
   print (SCENE, "1, 2, 3", "2 and 0 (sphere, torus), 0 (trefoil), 1 (ball)");
-  for (const std::string& name : {AERIAL, TERRESTRIAL})
-    print (name, "1, 2, 3", "-");
+  for (const generate::LidarSweep& lidar : generate::lidarSweeps ())
+    print (lidar.name, "1, 2, 3", "-");
 }
 
 } // namespace
@@ -192,19 +196,19 @@ main (int argc, char** argv)
   CommonOptions common;
   bool list = false;
   command_line
-    .positional ("SHAPE", "what to sample: a shape, scene, lidar-aerial or lidar-terrestrial; see -list",
+    .positional ("SHAPE", "what to sample: a shape, scene, lidar-aerial, frame-64, ...; see -list",
                  asked.shape)
     .positional ("OUTPUT", "the cloud, fields x y z label: .pcd", asked.file)
     .option ("n", "points",
              "about how many points (of the scene: on its sphere).\n"
-             "0 = 10 000, and 200 000 for lidar",
+             "0 = 10 000, 200 000 for lidar-*, as the sensor turns for frame-* and map-*",
              asked.points, {0, MOST_POINTS})
     .option ("spacing", "h", "smallest distance of blue noise, instead of -n; 0 = from -n", asked.spacing,
              {0, 1e300})
     .option ("sampling", "kind",
              "blue: evenly, no two points near and no gap; random: independent points, rims and skins\n"
              "as dense as the rest;\n"
-             "lidar: a sweep with occlusion; auto: lidar for lidar-*, blue for all else",
+             "lidar: a sweep with occlusion; auto: lidar for lidar-*, frame-* and map-*, blue for all else",
              asked.sampling)
     .option ("noise", "s",
              "standard deviation of Gaussian noise (of lidar: of the range, in metres).\n"

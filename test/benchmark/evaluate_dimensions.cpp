@@ -1,146 +1,175 @@
-#include <chrono>
+#include "bare_triangulation.h"
+#include "dimension_clouds.h"
+#include "dimension_methods.h"
+#include "pca_curves.h"
+
+#include <app_main.h>
+#include <command_line.h>
+
+#include <array>
+#include <cmath>
 #include <cstdio>
-#include <cstring>
-#include <fstream>
-#include <pcl/conversions.h>
-#include <pcl/io/pcd_io.h>
-#include <pcl/manifold/scale_dimensions.h>
-#include <pcl/point_types.h>
-#include <set>
-// prototype of the command: FILE [-truth 14,15] [-out prefix]
-int
-main (int c, char** v)
+#include <exception>
+#include <map>
+#include <string>
+
+// Detects the dimension of clouds whose truth is known, with nothing set, and beside it by what else there
+// is: the published method at one level, and the eigenvalues of neighbours.
+//
+//   evaluate_dimensions -generated 1 -data FOLDER -only frame
+
+namespace {
+
+using namespace evaluate;
+
+constexpr int LEVELS = 10;
+
+struct Options
 {
-  pcl::PCLPointCloud2 b;
-  if (pcl::io::loadPCDFile (v[1], b) < 0)
-    return 1;
-  pcl::PointCloud<pcl::PointXYZ> cl;
-  pcl::fromPCLPointCloud2 (b, cl);
-  std::vector<double> truth;
-  for (const auto& f : b.fields)
-    if (f.name == "label")
-      for (std::size_t i = 0; i < cl.size (); ++i) {
-        const std::uint8_t* p = &b.data[i * b.point_step + f.offset];
-        double x = 0;
-        switch (f.datatype) {
-          case 2:
-            x = *p;
-            break;
-          case 4: {
-            std::uint16_t y;
-            memcpy (&y, p, 2);
-            x = y;
-            break;
-          }
-          case 6: {
-            std::uint32_t y;
-            memcpy (&y, p, 4);
-            x = y;
-            break;
-          }
-          case 5: {
-            std::int32_t y;
-            memcpy (&y, p, 4);
-            x = y;
-            break;
-          }
-          case 7: {
-            float y;
-            memcpy (&y, p, 4);
-            x = y;
-            break;
-          }
-        }
-        truth.push_back (x);
-      }
-  std::set<double> want;
-  const char* out = nullptr;
-  pcl::manifold::ScaleParameters sp;
-  for (int i = 2; i < c; ++i)
-    if (!strcmp (v[i], "-truth")) {
-      for (char* t = strtok (v[++i], ","); t; t = strtok (nullptr, ","))
-        want.insert (atof (t));
-    } else if (!strcmp (v[i], "-out"))
-      out = v[++i];
-    else if (!strcmp (v[i], "-scale")) {
-      sp.from = atof (v[++i]);
-      sp.to = atof (v[++i]);
+  unsigned int threads = 0;
+  bool alone = false;
+};
+
+void
+printScore (const char* method, const CurveScore& score, double dimension, double seconds, double bare)
+{
+  const auto percent = [] (double share) { return 100.0 * share; };
+  std::printf ("  %-38.38s", method);
+  if (dimension >= 0.0)
+    std::printf (" %8.2f", percent (dimension));
+  else
+    std::printf (" %8s", "-");
+  std::printf (" %8.2f %8.2f %8.2f %8.3f", percent (score.accuracy ()), percent (score.precision ()),
+               percent (score.recall ()), score.f1 ());
+  if (seconds > 0.0)
+    std::printf (" %8.2f", seconds / bare);
+  std::printf ("\n");
+  std::fflush (stdout);
+}
+
+/** The share of the points that have their true dimension, or -1 where that is not known. */
+double
+rightDimensions (const LabelledPoints& truth, const Answers& answers)
+{
+  if (truth.dimension.empty () || answers.dimension.empty ())
+    return -1.0;
+  std::size_t asked = 0, right = 0;
+  for (std::size_t i = 0; i < truth.dimension.size (); ++i)
+    if (truth.curve[i] != Curve::NOT_ASKED) {
+      ++asked;
+      right += truth.dimension[i] == answers.dimension[i] ? 1 : 0;
     }
-  Eigen::Matrix3Xd P (3, cl.size ());
-  for (std::size_t i = 0; i < cl.size (); ++i)
-    P.col (i) = cl[i].getVector3fMap ().cast<double> ();
-  auto t0 = std::chrono::steady_clock::now ();
-  pcl::manifold::StageLog log;
-  pcl::manifold::DimensionParameters dp;
-  std::shared_ptr<const pcl::manifold::ScaleDimensions> r;
-  auto s = pcl::manifold::detectScales (P, {}, pcl::manifold::FLOAT_RESOLUTION, dp, sp, log, r);
-  double dt = std::chrono::duration<double> (std::chrono::steady_clock::now () - t0).count ();
-  if (s != pcl::manifold::Status::OK) {
-    printf ("status %s\n", pcl::manifold::toString (s));
-    return 2;
+  return asked == 0 ? -1.0 : static_cast<double> (right) / static_cast<double> (asked);
+}
+
+/** What became of the things of every class. */
+void
+printClasses (const LabelledPoints& truth, const Answers& answers)
+{
+  constexpr double FEWEST = 50.0;
+  std::map<std::uint32_t, std::array<double, 4>> counts;
+  for (std::size_t i = 0; i < answers.dimension.size (); ++i)
+    ++counts[truth.classes[i]][answers.dimension[i] & 3U];
+  for (const auto& [name, count] : counts) {
+    const double all = count[0] + count[1] + count[2] + count[3];
+    if (all >= FEWEST)
+      std::printf ("    class %3u: %8.0f points, curve %6.2f %%, surface %6.2f %%, solid %6.2f %%\n", name,
+                   all, 100.0 * count[1] / all, 100.0 * count[2] / all, 100.0 * count[3] / all);
   }
-  printf ("%-40s %7zu points %.2f s sensor %d curves %zu", v[1], cl.size (), dt,
-          r->sensor_origin.has_value (), r->curves.size ());
-  std::size_t n[4] = {}, tp = 0, fp = 0, fn = 0, vtp = 0, vfp = 0, vfn = 0, right = 0, solid_wall = 0,
-              wall = 0, road = 0, road1 = 0;
-  std::vector<int> lab (cl.size ()), cur (cl.size (), -1);
-  for (std::size_t i = 0; i < cl.size (); ++i) {
-    int q = r->samples->sample_of[i];
-    int l = q < 0 ? 0 : r->manifold_dimension[q];
-    lab[i] = l;
-    if (q >= 0)
-      cur[i] = r->curve[q];
-    ++n[l];
-    if (truth.empty ())
+}
+
+/** The best of several levels, by hindsight. */
+void
+printBestLevel (const LabelledPoints& truth, double spacing, unsigned int threads, double bare)
+{
+  Answers best;
+  CurveScore best_score;
+  double best_distance = 0.0;
+  for (int power = 1; power <= LEVELS; ++power) {
+    const double distance = spacing * std::pow (std::sqrt (2.0), power);
+    Answers answers = detectAtOneLevel (truth.points, distance, threads);
+    const CurveScore score = scoreOf (truth, answers);
+    if (power > 1 && score.f1 () <= best_score.f1 ())
       continue;
-    bool t = want.count (truth[i]);
-    tp += t && l == 1;
-    fp += !t && l == 1;
-    fn += t && l != 1;
-    bool ve =
-      l == 1 && (cur[i] >= 0 ? r->curves[cur[i]].verticality > .9 : std::abs (r->tangents (2, q)) > .9);
-    vtp += t && ve;
-    vfp += !t && ve;
-    vfn += t && !ve;
-    right += truth[i] == l;
-    if (truth[i] == 50) {
-      ++wall;
-      solid_wall += l == 3;
-    }
-    if (truth[i] == 40) {
-      ++road;
-      road1 += l == 1;
-    }
+    best = std::move (answers);
+    best_score = score;
+    best_distance = distance;
   }
-  auto F = [] (double a, double wrong, double d) {
-    double p = a / std::max (1., a + wrong), q = a / std::max (1., a + d);
-    return std::array<double, 3>{p, q, 2 * p * q / std::max (1e-9, p + q)};
-  };
-  auto A = F (tp, fp, fn), V = F (vtp, vfp, vfn);
-  printf (" shares %.3f %.3f %.3f", n[1] / double (cl.size ()), n[2] / double (cl.size ()),
-          n[3] / double (cl.size ()));
-  if (!truth.empty ())
-    printf (" | P %.3f R %.3f F1 %.3f | vertical P %.3f R %.3f F1 %.3f | right %.5f | road1 %.4f wall3 %.4f",
-            A[0], A[1], A[2], V[0], V[1], V[2], right / double (cl.size ()),
-            road1 / std::max (1., double (road)), solid_wall / std::max (1., double (wall)));
-  printf ("\n");
-  for (auto& st : log.stages ())
-    printf ("  %s %.2f;", st.name.c_str (), st.seconds);
-  printf ("\n");
-  if (out) {
-    std::ofstream f (out, std::ios::binary);
-    for (std::size_t i = 0; i < cl.size (); ++i) {
-      int q = r->samples->sample_of[i];
-      float w[9] = {(float)lab[i],
-                    (float)cur[i],
-                    q < 0 ? 0 : r->scale[q],
-                    q < 0 ? 0 : r->persistence[q],
-                    q < 0 ? 0 : r->confidence[q],
-                    q < 0 ? 0 : r->tangents (0, q),
-                    q < 0 ? 0 : r->tangents (1, q),
-                    q < 0 ? 0 : r->tangents (2, q),
-                    0};
-      f.write ((char*)w, sizeof w);
-    }
+  std::array<char, 64> name{};
+  std::snprintf (name.data (), name.size (), "best single level, -thin-distance %.3g", best_distance);
+  printScore (name.data (), best_score, rightDimensions (truth, best), best.seconds, bare);
+}
+
+void
+evaluateCloud (const DimensionCloud& cloud, const Options& options)
+{
+  const LabelledPoints truth = cloud.make ();
+  std::size_t cells = 0;
+  const double bare = benchmark::bareTriangulation (truth.points, options.threads != 1, cells);
+  std::printf ("%s: %td points, bare triangulation %.2f s\n", cloud.name.c_str (),
+               static_cast<std::ptrdiff_t> (truth.points.cols ()), bare);
+
+  const Answers answers = detectAtAllScales (truth.points, options.threads);
+  printScore ("nothing set", scoreOf (truth, answers), rightDimensions (truth, answers), answers.seconds,
+              bare);
+  if (cloud.vertical)
+    printScore ("  upright curves", scoreOf (truth, answers, true), -1.0, 0.0, bare);
+  if (!options.alone) {
+    const double spacing = medianSpacing (truth.points);
+    const Answers published = detectAtOneLevel (truth.points, 0.0, options.threads);
+    printScore ("single level, as published", scoreOf (truth, published), rightDimensions (truth, published),
+                published.seconds, bare);
+    printBestLevel (truth, spacing, options.threads, bare);
+    const Answers pca = pcaOfLeastEntropy (truth.points);
+    printScore ("PCA of least entropy", scoreOf (truth, pca), rightDimensions (truth, pca), pca.seconds,
+                bare);
+    const TunedPca tuned = tunePca (truth, spacing);
+    std::array<char, 64> name{};
+    std::snprintf (name.data (), name.size (), "PCA tuned: radius %.3g, linearity %.2f", tuned.radius,
+                   tuned.linearity);
+    printScore (name.data (), tuned.score, -1.0, 0.0, bare);
   }
+  printClasses (truth, answers);
+}
+
+} // namespace
+
+int
+main (int argc, char** argv)
+{
+  using namespace pcl::manifold::apps;
+  int seeds = 0, threads = 0;
+  std::string data, only;
+  Options options;
+  CommandLine command_line ("evaluate_dimensions",
+                            "Detects the dimension of clouds whose truth is known, and says how well. "
+                            "Columns, in percent but for the last "
+                            "two:\n"
+                            "points with their true dimension; points rightly told curve or not; precision, "
+                            "recall and F1 of curves;\n"
+                            "seconds as a multiple of a bare Delaunay triangulation of the same points.");
+  command_line.option ("generated", "n", "this many samples of every generated scene", seeds, {0, 1000})
+    .option ("data", "FOLDER", "the labelled clouds in a folder", data)
+    .option ("only", "TEXT", "only clouds whose name has this in it", only)
+    .flag ("alone", "leave out what is there to compare with", options.alone)
+    .option ("threads", "n", "0 = all", threads, {0, 1024})
+    .example ("evaluate_dimensions -generated 1 -only frame");
+  return runApp (argc, argv, command_line, [&] {
+    options.threads = static_cast<unsigned int> (threads);
+    std::vector<DimensionCloud> clouds = generatedClouds (seeds);
+    if (!data.empty ())
+      for (DimensionCloud& cloud : labelledFiles (data))
+        clouds.push_back (std::move (cloud));
+    std::printf ("%-40s %8s %8s %8s %8s %8s %8s\n", "", "dim. %", "accur. %", "prec. %", "recall %", "F1",
+                 "x bare");
+    for (const DimensionCloud& cloud : clouds) {
+      if (cloud.name.find (only) == std::string::npos)
+        continue;
+      try {
+        evaluateCloud (cloud, options);
+      } catch (const std::exception& error) {
+        std::printf ("%s: not evaluated: %s\n", cloud.name.c_str (), error.what ());
+      }
+    }
+  });
 }

@@ -1,7 +1,6 @@
 #include <generate/random.h>
+#include <generate/scene_parts.h>
 #include <generate/village.h>
-
-#include <boost/math/constants/constants.hpp>
 
 #include <array>
 #include <cmath>
@@ -11,34 +10,12 @@ namespace generate {
 
 namespace {
 
-using boost::math::constants::pi;
 using Eigen::Vector3d;
-
-Truth
-truth (std::uint32_t label, LidarClass thing)
-{
-  return {label, static_cast<std::uint32_t> (thing)};
-}
 
 Vector3d
 onGround (double x, double y)
 {
   return {x, y, villageGround (x, y)};
-}
-
-/** A wire between two points, hanging through by `sag` in its middle. Between points of about the same height
- * the catenary is a parabola to within a thousandth of its sag. */
-void
-addWire (RayScene& scene, const Vector3d& from, const Vector3d& to, double sag)
-{
-  constexpr int PIECES = 48;
-  constexpr double RADIUS = 0.012;
-  const auto at = [&] (int piece) -> Vector3d {
-    const double t = static_cast<double> (piece) / PIECES;
-    return from + t * (to - from) - 4.0 * sag * t * (1.0 - t) * Vector3d::UnitZ ();
-  };
-  for (int piece = 0; piece < PIECES; ++piece)
-    scene.addRod (at (piece), at (piece + 1), RADIUS, truth (1, LidarClass::WIRE));
 }
 
 /** A line of wooden poles with a cross-arm and three wires. */
@@ -104,53 +81,6 @@ addLampPosts (RayScene& scene)
   }
 }
 
-/** A house with a gable roof that juts out over its walls. */
-void
-addHouse (RayScene& scene, double x, double y, double angle, double length, double width, double eaves,
-          double ridge)
-{
-  constexpr double OVERHANG = 0.4;
-  const Truth building = truth (2, LidarClass::BUILDING);
-  const double base = villageGround (x, y);
-  const auto place = [&] (double along, double across, double up) -> Vector3d {
-    return {x + along * std::cos (angle) - across * std::sin (angle),
-            y + along * std::sin (angle) + across * std::cos (angle), base + up};
-  };
-  const auto addQuad = [&] (const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) {
-    scene.addTriangle (a, b, c, building);
-    scene.addTriangle (a, c, d, building);
-  };
-  const double l = 0.5 * length, w = 0.5 * width, below = -2.0; // the ground under a house is not flat
-  for (const double side : {-1.0, 1.0}) {
-    addQuad (place (-l, side * w, below), place (l, side * w, below), place (l, side * w, eaves),
-             place (-l, side * w, eaves));
-    addQuad (place (side * l, -w, below), place (side * l, w, below), place (side * l, w, eaves),
-             place (side * l, -w, eaves));
-    scene.addTriangle (place (side * l, -w, eaves), place (side * l, w, eaves), place (side * l, 0.0, ridge),
-                       building);
-    const double drop = eaves - OVERHANG * (ridge - eaves) / w, out = side * (w + OVERHANG),
-                 far = l + OVERHANG;
-    addQuad (place (-far, out, drop), place (far, out, drop), place (far, 0.0, ridge),
-             place (-far, 0.0, ridge));
-  }
-}
-
-void
-addTree (RayScene& scene, const Vector3d& foot, Random& random)
-{
-  const double leaves_per_volume = 60.0, leaf_radius = 0.07;
-  const Vector3d half (random.uniform (2.0, 3.6), random.uniform (2.0, 3.6), random.uniform (2.2, 4.0));
-  const double trunk = random.uniform (2.0, 3.5);
-  const Vector3d centre = foot + Vector3d (0.0, 0.0, trunk + half.z ());
-  scene.addRod (foot, centre, random.uniform (0.15, 0.25), truth (2, LidarClass::VEGETATION));
-  const double leaves = leaves_per_volume * 4.0 / 3.0 * pi<double> () * half.prod ();
-  for (double leaf = 0.0; leaf < leaves; leaf += 1.0) {
-    const double radius = std::cbrt (random.uniform ());
-    const Vector3d where = centre + radius * random.direction ().cwiseProduct (half);
-    scene.addDisc (where, random.direction (), leaf_radius, truth (3, LidarClass::VEGETATION));
-  }
-}
-
 /** Trees on the open ground: away from houses, posts, lines and the scanners in the street. */
 void
 addTrees (RayScene& scene, Random& random)
@@ -166,8 +96,9 @@ addTrees (RayScene& scene, Random& random)
     if (free)
       feet.push_back (onGround (x, y));
   }
+  const TreeSize size{{2.0, 2.0, 2.2}, {3.6, 3.6, 4.0}};
   for (const Vector3d& foot : feet)
-    addTree (scene, foot, random);
+    addTree (scene, foot, size, random);
 }
 
 } // namespace
@@ -189,8 +120,8 @@ village (double beam_radius, std::uint64_t seed)
   addPoleLine (scene);
   addPylons (scene);
   addLampPosts (scene);
-  addHouse (scene, -20.0, 17.0, 0.35, 15.0, 9.0, 5.0, 8.5);
-  addHouse (scene, 12.0, 14.0, -0.2, 8.0, 6.0, 3.0, 5.0);
+  addHouse (scene, onGround (-20.0, 17.0), 0.35, 15.0, 9.0, 5.0, 8.5);
+  addHouse (scene, onGround (12.0, 14.0), -0.2, 8.0, 6.0, 3.0, 5.0);
   addTrees (scene, random);
   scene.build ();
   return scene;

@@ -6,14 +6,19 @@
 
 namespace generate {
 
-/** \brief Classes of things in a lidar scene, with the numbers that the LAS file format gives to them. */
+/** \brief Classes of things in a lidar scene, with the numbers that the LAS file format gives to them; those from
+ * 64 on are for the user to define there. */
 enum class LidarClass : std::uint32_t
 {
   GROUND = 2,
   VEGETATION = 5, ///< trunks (label 2) and leaves (label 3)
   BUILDING = 6,
+  ROAD = 11, ///< with its kerbs and pavements
   WIRE = 14,
-  POLE = 15 ///< poles, lamp posts, pylons and their arms (label 1)
+  POLE = 15,  ///< poles, lamp posts, pylons and their arms (label 1)
+  FENCE = 64, ///< posts and wires (label 1)
+  SIGN = 65,  ///< the plates (label 2)
+  CAR = 66
 };
 
 /** \brief Half the size of the village along x and y, in metres. */
