@@ -38,17 +38,6 @@ countsOf (const InputCloud& input, const Reconstruction& reconstruction)
   return counts;
 }
 
-FaceRows
-rowsOf (const pcl::PolygonMesh& mesh)
-{
-  FaceRows rows;
-  for (const pcl::Vertices& polygon : mesh.polygons) {
-    rows.vertices.insert (rows.vertices.end (), polygon.vertices.begin (), polygon.vertices.end ());
-    rows.starts.push_back (rows.vertices.size ());
-  }
-  return rows;
-}
-
 void
 drawPicture (const Picture& picture, const InputCloud& input, const Reconstruction& reconstruction)
 {
@@ -118,13 +107,10 @@ main (int argc, char** argv)
     noteLeftOut (input, counts, common.quiet);
     describeInput (input, counts, report, table);
     options.describe (report);
-    describeLandmarks (reconstruction.getReport (), report, table);
+    describeLandmarks (reconstruction.getLandmarks ().size (), reconstruction.getReport (), report, table);
     report.result ("polygons", Json::UInt64 (mesh.polygons.size ()));
     table.row ("polygons written", mesh.polygons.size ());
-    if (options.parameters.triangulate)
-      describeTopology (analyze (trianglesOf (mesh)), 0, report, table);
-    else
-      report.say (inWords ("surface", analyzeSurface (rowsOf (mesh))));
+    describeTopology (analyze (facesOf (mesh)), 0, report, table);
     describeStages (reconstruction.getStages (), report, table);
 
     mesh.cloud = input.cloud;

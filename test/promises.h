@@ -230,7 +230,7 @@ brokenByLandmarks (const Case& input, const pcl::GraphReconstruction<pcl::PointX
           ? tiles[i] < 0 || static_cast<std::size_t> (tiles[i]) >= landmarks.size ()
           : tiles[i] != -1)
       return "a point with a wrong tile";
-  if (object.getReport ().total.edges_in_more_faces > 0)
+  if (object.getReport ().surface.non_manifold_edges > 0)
     return "an edge of the landmark mesh in more than two faces";
   return {};
 }

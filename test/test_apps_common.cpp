@@ -250,6 +250,19 @@ TEST (Numbers, AreReadWholeOrNotAtAll)
   }
   for (const char* const text : {"1.#", "1.#QNANX", "1.#IN", "2.#INF", "-", "1.#IND1"})
     EXPECT_FALSE (parseNumber (std::string_view (text), number)) << text;
+  // Beyond the range of a double, whatever says so: the exponent or the digits.
+  const std::string zeros (400, '0');
+  for (const std::string& text : {std::string ("1e999"), "1" + zeros, "0." + zeros + "1e900",
+                                  "1" + zeros + "e-50", std::string ("1e+99999999999999999999")}) {
+    EXPECT_TRUE (parseNumber (std::string_view (text), number)) << text;
+    EXPECT_EQ (number, HUGE_VAL) << text;
+  }
+  for (const std::string& text : {std::string ("1e-999"), "0." + zeros + "1", "1" + zeros + "e-900",
+                                  std::string ("-1e-99999999999999999999")}) {
+    number = 7;
+    EXPECT_TRUE (parseNumber (std::string_view (text), number)) << text;
+    EXPECT_EQ (number, 0) << text;
+  }
   float narrow = 0;
   EXPECT_TRUE (parseNumber (std::string_view ("-1e50"), narrow));
   EXPECT_EQ (narrow, -HUGE_VALF);

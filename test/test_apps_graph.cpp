@@ -99,11 +99,15 @@ TEST_F (GraphApp, ReportsTheMesh)
   EXPECT_EQ (parameters["seed"], 9);
   EXPECT_EQ (parameters["threads"], 1);
   const Json::Value& mesh = json["result"]["landmark_mesh"];
-  EXPECT_EQ (mesh["genus"], 0.0);
-  EXPECT_EQ (mesh["edges_in_two_faces"], mesh["edges"]);
-  EXPECT_EQ (mesh["landmarks"].asInt () - mesh["edges"].asInt () + mesh["faces"].asInt (), 2);
-  ASSERT_EQ (json["result"]["components"].size (), 1U);
-  EXPECT_EQ (json["result"]["components"][0], mesh);
+  const Json::Value& surface = mesh["surfaces"];
+  EXPECT_EQ (mesh["edges_in_no_face"], 0);
+  EXPECT_EQ (mesh["edges"], surface["edges"]);
+  EXPECT_EQ (mesh["landmarks"], surface["vertices"]);
+  EXPECT_EQ (surface["boundary_edges"], 0);
+  EXPECT_EQ (surface["euler_characteristic"], 2);
+  ASSERT_EQ (surface["components"].size (), 1U);
+  EXPECT_EQ (surface["components"][0]["genus"], 0);
+  EXPECT_EQ (json["result"]["surfaces"]["components"][0]["genus"], 0);
   EXPECT_EQ (json["result"]["polygons"].asUInt (), triangles ("out.ply"));
   EXPECT_EQ (json["result"]["polygons"].asInt (), 2 * mesh["landmarks"].asInt () - 4);
   ASSERT_EQ (json["stages"].size (), 8U);
@@ -133,8 +137,9 @@ TEST_F (GraphApp, LeavesLargerFacesIfAsked)
     SCOPED_TRACE (output);
     EXPECT_EQ (reconstruct ("sphere.pcd", "-a 12 -hops 4 -polygons", output).exit_status, 0);
     const Json::Value result = report ()["result"];
-    EXPECT_EQ (result["polygons"], result["landmark_mesh"]["faces"]);
-    EXPECT_GT (result["landmark_mesh"]["faces"], result["landmark_mesh"]["triangles"]);
+    EXPECT_EQ (result["surfaces"], result["landmark_mesh"]["surfaces"]);
+    EXPECT_EQ (result["polygons"], result["surfaces"]["faces"]);
+    EXPECT_GT (result["surfaces"]["faces"], result["surfaces"]["triangles"]);
     if (output != "out.vtk")
       EXPECT_GT (triangles (output), result["polygons"].asUInt ()) << "cut while they are read";
   }

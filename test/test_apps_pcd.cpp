@@ -142,7 +142,7 @@ TEST (Pcd, KeepsTheSensorAndTheLayoutOfAnOrganisedCloud)
   ASSERT_EQ (pcl::io::loadPCDFile (folder / "a.pcd", by_pcl, origin, orientation), 0);
   expectSameFields (cloud, by_pcl);
   EXPECT_EQ (origin[0], 12345.678f);
-  EXPECT_EQ (orientation.y (), 0.0f);
+  EXPECT_EQ (orientation.w (), 0.70710678f);
 }
 
 TEST (Pcd, SaysWhatIsWrongWithAHeader)

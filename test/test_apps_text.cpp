@@ -90,9 +90,10 @@ TEST_F (Text, TakesDecimalCommas)
 
 TEST_F (Text, RefusesWhatMayMeanTwoThings)
 {
-  EXPECT_EQ (error ("1.5 2.5 3.5\n1,5 2,5 3,5\n"), "line 2: commas ahead of decimals, but not in line 1");
+  EXPECT_EQ (error ("1.5 2.5 3.5\n1,5 2,5 3,5\n"),
+             "line 2: commas ahead of decimals, but not so from line 1 on");
   EXPECT_EQ (error ("9;8;7\n1,5;2,5;3,5\n1.5;2.5;3.5\n"),
-             "line 3: points ahead of decimals, but not in line 2");
+             "line 3: points ahead of decimals, but not so from line 1 on");
   const std::string both = "commas that may stand between numbers or ahead of decimals; write semicolons or "
                            "blanks between the numbers";
   EXPECT_EQ (error ("1,5, 2,25, 3,0\n"), "line 1: " + both);

@@ -60,8 +60,9 @@ public:
 
   ~AsNormalUser ()
   {
-    if (was_root_)
+    if (was_root_) {
       EXPECT_EQ (seteuid (0), 0);
+    }
   }
 
   bool is () const { return is_; }

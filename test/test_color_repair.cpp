@@ -4,6 +4,7 @@
 #include "extraction/cell_star.h"
 #include "extraction/color_repair.h"
 #include "extraction/surface_opening.h"
+#include "fixed_point/facet_flags.h"
 
 #include <gtest/gtest.h>
 
@@ -15,9 +16,16 @@ using namespace oracle;
 using pcl::manifold::CellStar;
 using pcl::manifold::closedSurface;
 using pcl::manifold::DelaunayComplex;
+using pcl::manifold::Facet;
+using pcl::manifold::FacetFlags;
+using pcl::manifold::FacetSet;
 using pcl::manifold::insertSamples;
+using pcl::manifold::noFacets;
+using pcl::manifold::openSurface;
 using pcl::manifold::repairColors;
 using pcl::manifold::Role;
+using pcl::manifold::setFacet;
+using pcl::manifold::SurfaceCandidates;
 using pcl::manifold::SurfaceTopology;
 
 void
@@ -54,6 +62,42 @@ TEST (ColorRepair, MakesAManifoldOfRandomColors)
   });
   EXPECT_GT (before, 1000);
   EXPECT_GT (triangles, 10000u);
+}
+
+// Where only some triangles are candidates the surface may end anywhere, but it has the cells of one colour
+// on one side and those of the other colour on the other.
+TEST (ColorRepair, MakesTwoSidedSheetsOfRandomColors)
+{
+  std::size_t triangles = 0;
+  forEachLattice (60, 4, 60, [&] (const Eigen::Matrix3Xd& cloud, int kind) {
+    const Prepared prepared = prepare (cloud);
+    if (prepared.complex->affine_dimension != 3)
+      return;
+    Random random (static_cast<std::uint64_t> (cloud.cols ()));
+    const std::vector<Role> roles (static_cast<std::size_t> (cloud.cols ()), Role::SURFACE);
+    for (int round = 0; round < 4; ++round) {
+      std::vector<std::uint8_t> colors (prepared.complex->cells.size ());
+      for (std::uint8_t& color : colors)
+        color = random.coin () ? 1 : 0;
+      FacetFlags flags = noFacets (*prepared.complex);
+      for (const Facet& facet : finiteFacets (*prepared.complex))
+        if (random.index (round + 2) == 0)
+          setFacet (*prepared.complex, facet, flags);
+      const SurfaceCandidates candidates (prepared.dimensions, roles, &flags);
+      repairColors (candidates, false, colors);
+      const FacetSet surface = openSurface (candidates, colors);
+      std::set<std::pair<std::int32_t, std::int32_t>> directed;
+      for (const auto& triangle :
+           surface.triangles ([&colors] (std::int32_t cell) { return colors[cell] == 1; })) {
+        ++triangles;
+        for (std::size_t k = 0; k < 3; ++k)
+          ASSERT_TRUE (directed.insert ({triangle[k], triangle[(k + 1) % 3]}).second)
+            << "kind " << kind << ", round " << round << "\n"
+            << cloud;
+      }
+    }
+  });
+  EXPECT_GT (triangles, 1000u);
 }
 
 TEST (ColorRepair, LeavesAManifoldAlone)

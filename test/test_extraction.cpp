@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 namespace {
@@ -63,6 +64,9 @@ brokenPromise (const SimplicialComplex& shape, const SampleSet& samples, bool wa
   if (!report.solid.boundary.isManifold () || !report.solid.boundary.isClosed ())
     return "the boundary of the solids is no manifold";
 
+  if (watertight && !report.surface.isOrientable ())
+    return "a closed surface with one side";
+
   std::set<Simplex> edges;
   std::set<Simplex> triangles;
   for (const auto& triangle : shape.triangles)
@@ -86,18 +90,53 @@ brokenPromise (const SimplicialComplex& shape, const SampleSet& samples, bool wa
   return "";
 }
 
-// Neighbours agree on a direction, unless there is a component where they cannot.
+// Triangles of a surface that is edge-manifold, part by part of those that hang together through edges.
+std::vector<SimplicialComplex>
+partsOf (const SimplicialComplex& shape)
+{
+  std::map<Simplex, std::vector<std::size_t>> at_edge;
+  for (std::size_t i = 0; i < shape.triangles.size (); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      at_edge[{shape.triangles[i][k], shape.triangles[i][(k + 1) % 3]}].push_back (i);
+  std::vector<SimplicialComplex> parts;
+  std::vector<std::uint8_t> taken (shape.triangles.size (), 0);
+  for (std::size_t seed = 0; seed < taken.size (); ++seed) {
+    if (taken[seed] != 0)
+      continue;
+    parts.emplace_back ();
+    taken[seed] = 1;
+    for (std::vector<std::size_t> front{seed}; !front.empty ();) {
+      const SimplicialComplex::Triangle& triangle = shape.triangles[front.back ()];
+      front.pop_back ();
+      parts.back ().triangles.push_back (triangle);
+      for (std::size_t k = 0; k < 3; ++k)
+        for (const std::size_t next : at_edge[{triangle[k], triangle[(k + 1) % 3]}])
+          if (taken[next] == 0) {
+            taken[next] = 1;
+            front.push_back (next);
+          }
+    }
+  }
+  return parts;
+}
+
+bool
+isOneSided (const SimplicialComplex& part)
+{
+  return !analyze (part).surface.components.front ().orientable;
+}
+
+// Neighbours agree on a direction in every part but those where they cannot.
 bool
 isOriented (const SimplicialComplex& shape)
 {
-  for (const auto& component : analyze (shape).surface.components)
-    if (!component.orientable)
-      return true;
   std::set<std::pair<pcl::index_t, pcl::index_t>> directed;
-  for (const auto& triangle : shape.triangles)
-    for (std::size_t k = 0; k < 3; ++k)
-      if (!directed.insert ({triangle[k], triangle[(k + 1) % 3]}).second)
-        return false;
+  for (const SimplicialComplex& part : partsOf (shape))
+    if (!isOneSided (part))
+      for (const auto& triangle : part.triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+          if (!directed.insert ({triangle[k], triangle[(k + 1) % 3]}).second)
+            return false;
   return true;
 }
 
@@ -132,6 +171,7 @@ expectPromises (const Eigen::Matrix3Xd& cloud, const std::string& name, int k, C
     EXPECT_EQ (brokenPromise (shape, *samples, watertight), "")
       << name << ", k " << k << (watertight ? ", watertight" : ", open");
     EXPECT_TRUE (isOriented (shape)) << name << ", k " << k;
+    EXPECT_TRUE (analyze (shape).surface.isOrientable ()) << name << ", k " << k;
     counts[1] += shape.edges.size ();
     counts[2] += shape.triangles.size ();
     counts[3] += shape.tetrahedra.size ();

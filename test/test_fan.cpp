@@ -120,6 +120,15 @@ TEST (Fan, IsThatOfTheDefinition)
     ASSERT_EQ (fan.isManifold (), sides.empty () || one_path || one_cycle);
     ASSERT_EQ (fan.canBecomeManifold (), paths || one_cycle);
     ASSERT_EQ (fan.isClosed (), one_cycle);
+    std::set<std::int32_t> first;
+    std::set<std::int32_t> second;
+    for (const Side& side : sides) {
+      first.insert (side.first);
+      second.insert (side.second);
+    }
+    const bool directed = first.size () == sides.size () && second.size () == sides.size ();
+    ASSERT_EQ (fan.isDirected (), directed);
+    ++seen[one_path || one_cycle ? (directed ? 5 : 6) : 4];
     ++seen[one_path ? 1 : (one_cycle ? 2 : (paths ? 3 : 4))];
 
     std::set<std::int32_t> ends;
@@ -133,7 +142,7 @@ TEST (Fan, IsThatOfTheDefinition)
     else
       ASSERT_EQ (result, (std::array<std::int32_t, 2>{-1, -1}));
   }
-  for (int kind = 1; kind <= 4; ++kind)
+  for (int kind = 1; kind <= 6; ++kind)
     EXPECT_GT (seen[kind], 1000) << kind;
 }
 

@@ -94,7 +94,7 @@ topologyOfFaces (const std::string& file)
     }
     rows.starts.push_back (rows.vertices.size ());
   }
-  return topologyOf (pcl::manifold::analyzeSurface (rows));
+  return topologyOf (pcl::manifold::analyze (rows).surface);
 }
 
 class GoldenCounts : public testing::TestWithParam<const char*>

@@ -167,7 +167,7 @@ TEST (GraphReconstruction, HopsFromOneToBeyondTheDiameter)
   // What was found on the way is there.
   EXPECT_EQ (run.object.getLandmarks ().size (), 1U);
   EXPECT_EQ (run.object.getTiles (), std::vector<pcl::index_t> (sphere.size (), 0));
-  EXPECT_EQ (run.object.getReport ().total.faces, 0U);
+  EXPECT_EQ (run.object.getReport ().surface.faces, 0U);
 }
 
 TEST (GraphReconstruction, KOfAllPointsOrMoreJoinsAll)

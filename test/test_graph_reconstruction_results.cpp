@@ -10,7 +10,6 @@
 namespace {
 
 using namespace graph_runs;
-using pcl::manifold::LandmarkComponent;
 
 /** The topology of polygons of any sizes. */
 pcl::manifold::SurfaceTopology
@@ -33,14 +32,9 @@ TEST_P (ClosedSurfaces, HaveTheirGenus)
   run.object.setInputCloud (cloudOf (evenly (name, 20000)));
   run.object.setHops (5);
   EXPECT_FALSE (run ());
-  ASSERT_EQ (run.object.getReport ().components.size (), 1U);
-  const LandmarkComponent component =
-    run.object.getReport ().components[0]; // a copy: the next run has its own
-  EXPECT_EQ (component.genus (), genus);
-  EXPECT_EQ (component.edges_in_two_faces, component.edges);
-  EXPECT_EQ (component.boundary_loops, 0U);
-  EXPECT_TRUE (component.orientable);
-  EXPECT_EQ (component.vertices, run.object.getLandmarks ().size ());
+  expectClosedOfGenus (run.object.getReport (), genus);
+  EXPECT_EQ (run.object.getReport ().vertices, run.object.getLandmarks ().size ());
+  const std::size_t faces = run.object.getReport ().surface.faces; // the next run has its own
 
   // And so has the mesh that the user gets, whether it was triangulated or not.
   for (const bool triangulate : {true, false}) {
@@ -56,7 +50,7 @@ TEST_P (ClosedSurfaces, HaveTheirGenus)
       EXPECT_TRUE (std::all_of (run.polygons.begin (), run.polygons.end (),
                                 [] (const pcl::Vertices& polygon) { return polygon.vertices.size () == 3; }));
     else
-      EXPECT_EQ (run.polygons.size (), component.faces);
+      EXPECT_EQ (run.polygons.size (), faces);
   }
 }
 
@@ -84,10 +78,7 @@ TEST (GraphReconstruction, SmallAndThinSurfacesHaveTheirGenus)
     run.object.setRefine (true);
     EXPECT_FALSE (run ());
     EXPECT_GT (run.object.getLandmarks ().size (), uniform);
-    const LandmarkComponent& total = run.object.getReport ().total;
-    EXPECT_EQ (total.genus (), genus);
-    EXPECT_TRUE (total.orientable);
-    EXPECT_EQ (total.edges_in_two_faces, total.edges);
+    expectClosedOfGenus (run.object.getReport (), genus);
   }
 }
 
@@ -133,14 +124,15 @@ TEST (GraphReconstruction, DisjointSurfacesAreComponents)
     run.object.setInputCloud (cloudOf (points));
     run.object.setHops (5);
     EXPECT_FALSE (run ());
-    const auto& components = run.object.getReport ().components;
+    const auto& components = run.object.getReport ().surface.components;
+    EXPECT_EQ (run.object.getReport ().curve.edges, 0U);
     ASSERT_EQ (components.size (), static_cast<std::size_t> (surfaces));
-    double genera = 0.0;
-    for (const LandmarkComponent& component : components) {
-      EXPECT_EQ (component.edges_in_two_faces, component.edges);
-      genera += component.genus ();
+    int genera = 0;
+    for (const pcl::manifold::SurfaceComponent& component : components) {
+      EXPECT_EQ (component.inner_edges, component.edges);
+      genera += component.genus;
     }
-    EXPECT_EQ (genera, 1.0);
+    EXPECT_EQ (genera, 1);
   }
 }
 
@@ -152,8 +144,8 @@ TEST (GraphReconstruction, BoundaryLoopsAreCounted)
     run.object.setInputCloud (cloudOf (evenly (name, 20000)));
     run.object.setHops (5);
     EXPECT_FALSE (run ());
-    ASSERT_EQ (run.object.getReport ().components.size (), 1U);
-    EXPECT_EQ (run.object.getReport ().total.boundary_loops, loops);
+    ASSERT_EQ (run.object.getReport ().surface.components.size (), 1U);
+    EXPECT_EQ (run.object.getReport ().surface.boundary_loops, loops);
     const pcl::manifold::SurfaceTopology topology = topologyOf (run.polygons);
     EXPECT_TRUE (topology.isManifold ());
     EXPECT_EQ (topology.boundary_loops, loops);

@@ -20,8 +20,19 @@ givesNothing (const pcl::GraphReconstruction<PointT>& object)
 {
   return object.getLandmarks ().empty () && object.getTiles ().empty () && object.getAdjacency ().empty () &&
          object.getLandmarkMesh ().edges.empty () && object.getLandmarkMesh ().faces.empty () &&
-         object.getReport ().components.empty () && object.getNeighborhoodGraph ().size () == 0 &&
+         object.getReport ().vertices == 0 && object.getNeighborhoodGraph ().size () == 0 &&
          object.getVertices ().empty ();
+}
+
+/** One surface and nothing else, closed, with two sides. */
+inline void
+expectClosedOfGenus (const pcl::TopologyReport& report, int genus)
+{
+  EXPECT_EQ (report.curve.edges, 0U);
+  ASSERT_EQ (report.surface.components.size (), 1U);
+  EXPECT_EQ (report.surface.inner_edges, report.surface.edges);
+  EXPECT_TRUE (report.surface.isOrientable ());
+  EXPECT_EQ (report.surface.components[0].genus, genus);
 }
 
 /** Polygons only; landmarks near enough to each other for small clouds. */

@@ -1,9 +1,6 @@
-// Counts of landmark meshes against known surfaces and the topology report, and triangulations of their
-// faces.
+// The topology of landmark meshes against known surfaces, and triangulations of their faces.
 #include "oracle_landmark_mesh.h"
 #include "oracle_tilings.h"
-
-#include <pcl/manifold/topology_report.h>
 
 #include <gtest/gtest.h>
 
@@ -12,8 +9,7 @@
 namespace {
 
 using namespace oracle;
-using pcl::manifold::LandmarkComponent;
-using pcl::manifold::LandmarkMeshReport;
+using pcl::manifold::SurfaceTopology;
 
 LandmarkMesh
 meshOf (std::vector<Walk> faces)
@@ -34,99 +30,44 @@ meshOfTiling (const Tiling& tiling)
   return meshOf (faces);
 }
 
-TEST (LandmarkMeshReport, CountsTilings)
+TEST (LandmarkMeshTopology, IsThatOfTheTiling)
 {
   for (const Tiling& tiling : tilings ()) {
-    const LandmarkMeshReport report =
-      analyze (meshOfTiling (tiling), static_cast<std::size_t> (tiling.vertices));
-    ASSERT_EQ (report.components.size (), 1u) << tiling.name;
-    const LandmarkComponent& total = report.total;
-    EXPECT_EQ (total.vertices, static_cast<std::size_t> (tiling.vertices)) << tiling.name;
-    EXPECT_EQ (total.triangles, tiling.triangles.size ()) << tiling.name;
-    EXPECT_EQ (total.genus (), (2.0 - tiling.euler) / 2.0) << tiling.name;
-    EXPECT_EQ (total.boundary_loops, static_cast<std::size_t> (tiling.loops)) << tiling.name;
-    EXPECT_EQ (total.orientable, tiling.orientable) << tiling.name;
-    EXPECT_EQ (total.edges_in_one_face + total.edges_in_two_faces, total.edges) << tiling.name;
-    EXPECT_EQ (total.edges_in_one_face > 0, tiling.loops > 0) << tiling.name;
+    const pcl::TopologyReport report = analyze (meshOfTiling (tiling));
+    const SurfaceTopology& surface = report.surface;
+    ASSERT_EQ (surface.components.size (), 1u) << tiling.name;
+    EXPECT_EQ (report.vertices, static_cast<std::size_t> (tiling.vertices)) << tiling.name;
+    EXPECT_EQ (surface.triangles, tiling.triangles.size ()) << tiling.name;
+    EXPECT_EQ (surface.euler_characteristic, tiling.euler) << tiling.name;
+    EXPECT_EQ (surface.boundary_loops, static_cast<std::size_t> (tiling.loops)) << tiling.name;
+    EXPECT_EQ (surface.isOrientable (), tiling.orientable) << tiling.name;
+    EXPECT_EQ (report.curve.edges, 0u) << tiling.name;
   }
 }
 
-TEST (LandmarkMeshReport, IsOfNothing)
+TEST (LandmarkMeshTopology, IsOfNothing)
 {
-  const LandmarkMeshReport nothing = analyze (LandmarkMesh (), 0);
-  EXPECT_TRUE (nothing.components.empty ());
-  EXPECT_EQ (nothing.total.vertices, 0u);
-  EXPECT_TRUE (nothing.total.orientable);
-  const LandmarkMeshReport isolated = analyze (LandmarkMesh (), 3);
-  EXPECT_EQ (isolated.components.size (), 3u);
-  EXPECT_EQ (isolated.total.vertices, 3u);
-  EXPECT_EQ (isolated.total.edges, 0u);
+  const pcl::TopologyReport nothing = analyze (LandmarkMesh ());
+  EXPECT_EQ (nothing.vertices, 0u);
+  EXPECT_TRUE (nothing.surface.components.empty ());
+  EXPECT_TRUE (nothing.curve.components.empty ());
 }
 
-TEST (LandmarkMeshReport, SortsComponentsBySize)
+TEST (LandmarkMeshTopology, TakesEdgesInNoFaceForCurves)
 {
   LandmarkMesh mesh = meshOf ({{1, 2, 3}, {1, 3, 2}, {4, 5, 6, 7}});
-  mesh.edges.push_back ({8, 9}); // in no face
-  const LandmarkMeshReport report = analyze (mesh, 10);
-  ASSERT_EQ (report.components.size (), 4u);
-  EXPECT_EQ (report.components[0].vertices, 4u);
-  EXPECT_EQ (report.components[0].edges_in_one_face, 4u);
-  EXPECT_EQ (report.components[0].boundary_loops, 1u);
-  EXPECT_EQ (report.components[1].vertices, 3u);
-  EXPECT_EQ (report.components[1].edges_in_two_faces, 3u);
-  EXPECT_EQ (report.components[1].genus (), 0.0);
-  EXPECT_EQ (report.components[2].edges_in_no_face, 1u);
-  EXPECT_EQ (report.components[3].vertices, 1u);
-  EXPECT_EQ (report.total.edges_in_no_face, 1u);
-  EXPECT_EQ (report.total.triangles, 2u);
-}
-
-TEST (LandmarkMeshReport, CountsEdgesOfThreeFaces)
-{
-  const LandmarkComponent total = analyze (meshOf ({{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}), 5).total;
-  EXPECT_EQ (total.edges_in_more_faces, 1u);
-  EXPECT_EQ (total.edges_in_one_face, 6u);
-}
-
-// Two holes that touch at a landmark are two where the mesh knows them, and one loop where it does not.
-TEST (LandmarkMeshReport, TakesTheHolesOfTheMesh)
-{
-  Tiling disc = gridTiling ("disc", 6, 6, false, false, false);
-  // Without the squares (1, 1) and (2, 2), which touch in one corner.
-  std::vector<Walk> faces;
-  for (std::size_t t = 0; t < disc.triangles.size (); ++t)
-    if (t / 2 != 1 * 6 + 1 && t / 2 != 2 * 6 + 2)
-      faces.emplace_back (disc.triangles[t].begin (), disc.triangles[t].end ());
-  LandmarkMesh mesh = meshOf (faces);
-  EXPECT_EQ (analyze (mesh, 49).total.boundary_loops, 2u);
-  mesh.holes = {{8, 9, 16, 15}, {16, 17, 24, 23}};
-  EXPECT_EQ (analyze (mesh, 49).total.boundary_loops, 3u);
-}
-
-// Random parts of tilings: the report of surfaces knows the same loops.
-TEST (LandmarkMeshReport, AgreesWithTheReportOfSurfaces)
-{
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    Random random (seed);
-    const std::vector<Tiling> all = tilings ();
-    const Tiling& tiling = all[seed % all.size ()];
-    std::vector<Walk> faces;
-    pcl::manifold::FaceRows rows;
-    for (const auto& t : tiling.triangles)
-      if (random.index (5) != 0) {
-        faces.emplace_back (t.begin (), t.end ());
-        rows.vertices.insert (rows.vertices.end (), t.begin (), t.end ());
-        rows.starts.push_back (rows.vertices.size ());
-      }
-    const LandmarkMeshReport report = analyze (meshOf (faces), static_cast<std::size_t> (tiling.vertices));
-    const pcl::manifold::SurfaceTopology expected = pcl::manifold::analyzeSurface (rows);
-    EXPECT_EQ (report.total.boundary_loops, expected.boundary_loops) << seed;
-    EXPECT_EQ (report.total.edges_in_one_face, expected.boundary_edges) << seed;
-    EXPECT_EQ (report.total.edges_in_two_faces, expected.inner_edges) << seed;
-    EXPECT_EQ (report.total.orientable, std::all_of (expected.components.begin (), expected.components.end (),
-                                                     [] (const auto& c) { return c.orientable; }))
-      << seed;
-  }
+  mesh.edges.push_back ({3, 4}); // a wire between the two surfaces, and one beside them
+  mesh.edges.push_back ({8, 9});
+  const pcl::TopologyReport report = analyze (mesh);
+  EXPECT_EQ (report.vertices, 9u);
+  EXPECT_EQ (report.curve.edges, 2u);
+  EXPECT_EQ (report.curve.components.size (), 2u);
+  ASSERT_EQ (report.surface.components.size (), 2u);
+  EXPECT_EQ (report.surface.faces, 3u);
+  EXPECT_EQ (report.surface.triangles, 2u);
+  EXPECT_TRUE (report.surface.components[0].closed);
+  EXPECT_EQ (report.surface.components[0].genus, 0);
+  EXPECT_EQ (report.surface.components[1].boundary_edges, 4u);
 }
 
 Eigen::MatrixXd
@@ -226,7 +167,7 @@ TEST (TriangulatedFaces, UseNoEdgeThatIsThere)
   std::vector<Walk> faces;
   for (const auto& t : sides)
     faces.emplace_back (t.begin (), t.end ());
-  EXPECT_EQ (analyze (meshOf (faces), 4).total.edges_in_two_faces, 6u);
+  EXPECT_EQ (analyze (meshOf (faces)).surface.inner_edges, 6u);
 }
 
 TEST (TriangulatedFaces, AreNoneOfNothing)

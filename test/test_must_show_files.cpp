@@ -51,7 +51,6 @@ TEST_P (DemoMesh, IsClosedOnAllVertices)
   if (file.empty ())
     GTEST_SKIP () << GetParam ().file << " of libcgal-demo is not there";
   must_show::Expected expected = must_show::closed (GetParam ().euler, 1.0);
-  expected.orientable = true;
   expected.one_piece = true;
   expectShape (file, expected, 0.998);
 }
@@ -62,7 +61,6 @@ TEST_P (DemoMesh, IsClosedByFixedPoints)
   if (file.empty ())
     GTEST_SKIP () << GetParam ().file << " of libcgal-demo is not there";
   must_show::Expected expected = must_show::closed (GetParam ().euler, 1.0);
-  expected.orientable = true;
   expected.one_piece = true;
   pcl::FixedPointReconstruction<pcl::PointXYZ> defaults;
   const must_show::FixedPointEvaluation evaluation = must_show::reconstructFixedPoint (
@@ -85,11 +83,12 @@ TEST_P (DemoMesh, HasItsGenusByGraphDistances)
       std::vector<pcl::Vertices> polygons;
       reconstruction.reconstruct (polygons);
       ASSERT_EQ (reconstruction.getStatus (), pcl::manifold::Status::OK);
-      const pcl::manifold::LandmarkMeshReport& report = reconstruction.getReport ();
-      EXPECT_EQ (report.components.size (), 1U);
-      EXPECT_EQ (2.0 - 2.0 * report.total.genus (), GetParam ().euler);
-      EXPECT_EQ (report.total.edges_in_two_faces, report.total.edges);
-      EXPECT_TRUE (report.total.orientable);
+      const pcl::TopologyReport& report = reconstruction.getReport ();
+      EXPECT_EQ (report.surface.components.size (), 1U);
+      EXPECT_EQ (report.surface.euler_characteristic, GetParam ().euler);
+      EXPECT_EQ (report.curve.edges, 0U);
+      EXPECT_EQ (report.surface.inner_edges, report.surface.edges);
+      EXPECT_TRUE (report.surface.isOrientable ());
       pcl::SimplicialComplex written;
       for (const pcl::Vertices& polygon : polygons)
         written.triangles.push_back ({polygon.vertices[0], polygon.vertices[1], polygon.vertices[2]});
@@ -112,6 +111,7 @@ TEST (ScannedMesh, BunnyKeepsItsHoles)
     GTEST_SKIP () << "no bunny_35947.pcd";
   must_show::Expected expected;
   expected.most_loops = 2;
+  expected.orientable = true;
   expected.used = 1.0;
   expected.one_piece = true;
   expectShape (file, expected, 0.998);
@@ -123,7 +123,6 @@ TEST (ScannedMesh, BunnyIsClosedByFixedPoints)
   if (file.empty ())
     GTEST_SKIP () << "no bunny_35947.pcd";
   must_show::Expected expected = must_show::closed (2, 1.0);
-  expected.orientable = true;
   expected.one_piece = true;
   pcl::FixedPointReconstruction<pcl::PointXYZ> defaults;
   const must_show::FixedPointEvaluation evaluation = must_show::reconstructFixedPoint (
@@ -131,13 +130,14 @@ TEST (ScannedMesh, BunnyIsClosedByFixedPoints)
   EXPECT_EQ (evaluation.surface.complaints (expected), "");
 }
 
-TEST (ScannedMesh, DragonIsManifold)
+TEST (ScannedMesh, DragonKeepsItsHoles)
 {
   const std::string file = dataFile ("dragon_435545.pcd");
   if (file.empty ())
     GTEST_SKIP () << "no dragon_435545.pcd";
   must_show::Expected expected;
-  expected.most_loops = 816; // the best of the peers leaves 817
+  expected.most_loops = 8; // the best of the peers leaves 817
+  expected.orientable = true;
   expected.used = 0.99;
   expectShape (file, expected, 0.998);
 }

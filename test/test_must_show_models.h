@@ -54,13 +54,14 @@ expectedOf (const generate::Shape& shape, double used)
   return expected;
 }
 
-/** \brief What is asked of a watertight surface: closed, manifold. */
+/** \brief What is asked of a watertight surface: closed, manifold, and so with two sides. */
 inline Expected
 closed (std::optional<std::int64_t> euler, double used)
 {
   Expected expected;
   expected.euler = euler;
   expected.loops = 0;
+  expected.orientable = true;
   expected.used = used;
   return expected;
 }
@@ -113,8 +114,7 @@ Evaluation::complaints (const Expected& expected) const
                                                              " boundary loops, more than " +
                                                              std::to_string (*expected.most_loops));
   if (expected.orientable)
-    check (std::all_of (surface.components.begin (), surface.components.end (),
-                        [&] (const auto& component) { return component.orientable; }) == *expected.orientable,
+    check (surface.isOrientable () == *expected.orientable,
            *expected.orientable ? "not orientable" : "orientable");
   if (expected.one_piece)
     check (surface.components.size () == 1, std::to_string (surface.components.size ()) + " components");

@@ -14,8 +14,6 @@ using namespace oracle;
 using pcl::manifold::AdjacencyRule;
 using pcl::manifold::FaceRule;
 using pcl::manifold::findFaces;
-using pcl::manifold::LandmarkComponent;
-using pcl::manifold::LandmarkMeshReport;
 
 constexpr int MAXIMUM_LENGTH = 8;
 
@@ -23,20 +21,17 @@ void
 expectTopology (const LandmarkMesh& mesh, std::size_t landmarks, int euler, int loops, bool orientable,
                 const std::string& name)
 {
-  const LandmarkMeshReport report = analyze (mesh, landmarks);
-  const LandmarkComponent& total = report.total;
-  EXPECT_EQ (report.components.size (), 1u) << name;
-  EXPECT_EQ (static_cast<int> (total.vertices) - static_cast<int> (total.edges) +
-               static_cast<int> (total.faces),
-             euler)
-    << name;
-  EXPECT_EQ (total.boundary_loops, static_cast<std::size_t> (loops)) << name;
+  const pcl::TopologyReport report = analyze (mesh);
+  const pcl::manifold::SurfaceTopology& surface = report.surface;
+  EXPECT_EQ (surface.components.size (), 1u) << name;
+  EXPECT_EQ (surface.vertices, landmarks) << name;
+  EXPECT_EQ (report.curve.edges, 0u) << name;
+  EXPECT_EQ (surface.euler_characteristic, euler) << name;
+  EXPECT_EQ (surface.boundary_loops, static_cast<std::size_t> (loops)) << name;
   EXPECT_EQ (mesh.holes.size (), static_cast<std::size_t> (loops)) << name;
-  EXPECT_EQ (total.orientable, orientable) << name;
-  EXPECT_EQ (total.edges_in_more_faces, 0u) << name;
-  if (loops == 0) {
-    EXPECT_EQ (total.edges_in_two_faces, total.edges) << name;
-  }
+  EXPECT_EQ (surface.isOrientable (), orientable) << name;
+  EXPECT_EQ (surface.non_manifold_edges, 0u) << name;
+  EXPECT_EQ (surface.isClosed (), loops == 0) << name;
 }
 
 // Every edge passed in both directions.
@@ -75,11 +70,11 @@ TEST (RotationSystemFaces, KeepApartWhatDoesNotTouch)
     edges.emplace (v + sphere.vertices, w + sphere.vertices);
   const TiledGraph tiled (sphere.vertices + torus.vertices, edges);
   const LandmarkMesh mesh = tiled.findFaces (FaceRule::ROTATION_SYSTEM, MAXIMUM_LENGTH);
-  const LandmarkMeshReport report = analyze (mesh, tiled.tiles.size ());
-  ASSERT_EQ (report.components.size (), 2u);
-  EXPECT_EQ (report.components[0].vertices, static_cast<std::size_t> (sphere.vertices));
-  EXPECT_EQ (report.components[0].genus (), 0.0);
-  EXPECT_EQ (report.components[1].genus (), 1.0);
+  const pcl::manifold::SurfaceTopology surface = analyze (mesh).surface;
+  ASSERT_EQ (surface.components.size (), 2u);
+  EXPECT_EQ (surface.components[0].vertices, static_cast<std::size_t> (sphere.vertices));
+  EXPECT_EQ (surface.components[0].genus, 0);
+  EXPECT_EQ (surface.components[1].genus, 1);
   expectOriented (mesh, "sphere and torus");
 }
 

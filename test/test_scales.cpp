@@ -179,7 +179,7 @@ TEST (Scales, FindTheSceneWhateverItsSampling)
     generate::LabelledCloud cloud = generate::mixedScene (given.spacing, 1);
     generate::addNoise (cloud, given.noise, 2);
     Detection run;
-    run.object.setInputCloud (cloudOf (floats (cloud.points)));
+    run.object.setInputCloud (cloudOf (floats (cloud)));
     EXPECT_FALSE (run ());
     const auto dimension = run.object.getManifoldDimension ();
     std::size_t right = 0;

@@ -5,6 +5,7 @@
 #include "extraction/facet_fitting.h"
 #include "extraction/surface_growth.h"
 #include "extraction/surface_opening.h"
+#include "extraction/surface_pruning.h"
 
 #include <gtest/gtest.h>
 

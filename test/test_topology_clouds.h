@@ -13,6 +13,7 @@ namespace topology {
 using pcl::SimplicialComplex;
 using pcl::manifold::analyze;
 using pcl::manifold::CurveTopology;
+using pcl::manifold::FaceRows;
 using pcl::manifold::SolidTopology;
 using pcl::manifold::SurfaceComponent;
 using pcl::manifold::SurfaceTopology;
@@ -26,6 +27,12 @@ surfaceOf (const std::vector<Triangle>& triangles)
   SimplicialComplex complex;
   complex.triangles = triangles;
   return analyze (complex).surface;
+}
+
+inline SurfaceTopology
+surfaceOfRows (const FaceRows& faces)
+{
+  return analyze (faces).surface;
 }
 
 inline CurveTopology

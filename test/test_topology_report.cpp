@@ -6,8 +6,6 @@
 namespace {
 
 using namespace topology;
-using pcl::manifold::analyzeSurface;
-using pcl::manifold::FaceRows;
 
 TEST (TopologyReport, Empty)
 {
@@ -40,14 +38,55 @@ TEST (TopologyReport, DegenerateSimplicesAreCountedAndLeftOut)
   EXPECT_EQ (1u, report.solid.tetrahedra);
 }
 
+FaceRows
+rowsOf (const std::vector<pcl::Indices>& faces)
+{
+  FaceRows rows;
+  for (const pcl::Indices& face : faces) {
+    rows.vertices.insert (rows.vertices.end (), face.begin (), face.end ());
+    rows.starts.push_back (rows.vertices.size ());
+  }
+  return rows;
+}
+
 TEST (TopologyReport, DegenerateRows)
 {
-  FaceRows faces;
-  faces.starts = {0, 0, 1, 3, 6};
-  faces.vertices = {1, 1, 2, 0, 1, 2};
-  const SurfaceTopology surface = analyzeSurface (faces);
-  EXPECT_EQ (3u, surface.degenerate_faces);
+  const SurfaceTopology surface = surfaceOfRows (
+    rowsOf ({{}, {1}, {1, 2}, {0, 1, 2}, {0, 1, 2, 1}, {3, 3, 4, 5}, {6, 7, 8, 7, 6, 9}, {-1, 1, 2}}));
+  EXPECT_EQ (7u, surface.degenerate_faces);
   EXPECT_EQ (1u, surface.faces);
+}
+
+// Two triangles that touch at 0 are bounded from outside by one face, which passes 0 twice.
+TEST (TopologyReport, FacesMayPassAVertexTwice)
+{
+  const SurfaceTopology surface = surfaceOfRows (rowsOf ({{0, 1, 2}, {0, 3, 4}, {0, 4, 3, 0, 2, 1}}));
+  EXPECT_EQ (0u, surface.degenerate_faces);
+  ASSERT_EQ (1u, surface.components.size ());
+  EXPECT_EQ (5u, surface.vertices);
+  EXPECT_EQ (6u, surface.inner_edges);
+  EXPECT_EQ (6u, surface.edges);
+  EXPECT_EQ (2, surface.euler_characteristic);
+  EXPECT_TRUE (surface.isOrientable ());
+  EXPECT_TRUE (surface.isClosed ());
+  // Around 0 the faces are one disc: sides go 1, 2, 3, 4 and back.
+  EXPECT_EQ (0u, surface.non_manifold_vertices);
+  EXPECT_EQ (0, surface.components[0].genus);
+  EXPECT_EQ (1u, surfaceOfRows (rowsOf ({{0, 4, 3, 0, 2, 1}})).non_manifold_vertices);
+  EXPECT_EQ (1u, surfaceOfRows (rowsOf ({{0, 4, 3, 0, 2, 1}, {0, 3, 4, 0, 1, 2}})).duplicate_faces);
+}
+
+TEST (TopologyReport, EdgesThatAreNoSidesAreCurves)
+{
+  const pcl::TopologyReport report =
+    analyze (rowsOf ({{0, 1, 2, 3}, {3, 2, 5}}), {{1, 0}, {2, 3}, {3, 0}, {0, 2}, {5, 6}, {6, 7}, {6, 5}});
+  EXPECT_EQ (7u, report.vertices);
+  EXPECT_EQ (4u, report.curve.edges);
+  EXPECT_EQ (1u, report.curve.duplicate_edges);
+  EXPECT_EQ (2u, report.curve.components.size ());
+  EXPECT_EQ (2u, report.surface.faces);
+  EXPECT_EQ (1u, report.surface.triangles);
+  EXPECT_EQ (0u, report.solid.tetrahedra);
 }
 
 TEST (TopologyReport, LargeIndicesNeedNoLargeTables)

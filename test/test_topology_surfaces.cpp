@@ -8,8 +8,6 @@
 namespace {
 
 using namespace topology;
-using pcl::manifold::analyzeSurface;
-using pcl::manifold::FaceRows;
 
 TEST (TopologyReport, KnownSurfaces)
 {
@@ -165,7 +163,7 @@ TEST (TopologyReport, Polygons)
   FaceRows cube;
   cube.vertices = {0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6, 3, 0, 4, 7};
   cube.starts = {0, 4, 8, 12, 16, 20, 24};
-  expectSurface (analyzeSurface (cube), 0, 2, true, 0);
+  expectSurface (surfaceOfRows (cube), 0, 2, true, 0);
 
   FaceRows prism; // over a pentagon, without its lid
   prism.vertices = {0, 1, 2, 3, 4};
@@ -175,14 +173,14 @@ TEST (TopologyReport, Polygons)
     prism.vertices.insert (prism.vertices.end (), {i, j, j + 5, i + 5});
     prism.starts.push_back (prism.vertices.size ());
   }
-  const SurfaceTopology surface = analyzeSurface (prism);
+  const SurfaceTopology surface = surfaceOfRows (prism);
   expectSurface (surface, 1, 1, true, 0);
   EXPECT_EQ (5u, surface.boundary_edges);
 
   FaceRows quads; // the same four vertices in the same and in another order
   quads.vertices = {0, 1, 2, 3, 2, 1, 0, 3, 0, 2, 1, 3};
   quads.starts = {0, 4, 8, 12};
-  EXPECT_EQ (1u, analyzeSurface (quads).duplicate_faces);
+  EXPECT_EQ (1u, surfaceOfRows (quads).duplicate_faces);
 }
 
 TEST (TopologyReport, ComponentsAreSortedBySize)

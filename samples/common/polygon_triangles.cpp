@@ -12,4 +12,15 @@ trianglesOf (const pcl::PolygonMesh& mesh)
   return complex;
 }
 
+FaceRows
+facesOf (const pcl::PolygonMesh& mesh)
+{
+  FaceRows rows;
+  for (const pcl::Vertices& polygon : mesh.polygons) {
+    rows.vertices.insert (rows.vertices.end (), polygon.vertices.begin (), polygon.vertices.end ());
+    rows.starts.push_back (rows.vertices.size ());
+  }
+  return rows;
+}
+
 } // namespace pcl::manifold::apps

@@ -31,24 +31,6 @@ toJson (const SurfaceComponent& component)
 }
 
 Json::Value
-toJson (const SurfaceTopology& surface)
-{
-  Json::Value json (Json::objectValue);
-  json["triangles"] = count (surface.faces);
-  json["vertices"] = count (surface.vertices);
-  json["edges"] = count (surface.edges);
-  json["boundary_edges"] = count (surface.boundary_edges);
-  json["boundary_loops"] = count (surface.boundary_loops);
-  json["non_manifold_edges"] = count (surface.non_manifold_edges);
-  json["non_manifold_vertices"] = count (surface.non_manifold_vertices);
-  json["euler_characteristic"] = Json::Int64 (surface.euler_characteristic);
-  json["components"] = Json::Value (Json::arrayValue);
-  for (const SurfaceComponent& component : surface.components)
-    json["components"].append (toJson (component));
-  return json;
-}
-
-Json::Value
 toJson (const CurveTopology& curve)
 {
   Json::Value json (Json::objectValue);
@@ -75,18 +57,37 @@ toJson (const SolidTopology& solid)
   json["vertices"] = count (solid.vertices);
   json["non_manifold_triangles"] = count (solid.non_manifold_triangles);
   json["components"] = count (solid.components.size ());
-  json["boundary"] = toJson (solid.boundary);
+  json["boundary"] = surfaceJson (solid.boundary);
   return json;
 }
 
 } // namespace
+
+Json::Value
+surfaceJson (const SurfaceTopology& surface)
+{
+  Json::Value json (Json::objectValue);
+  json["faces"] = count (surface.faces);
+  json["triangles"] = count (surface.triangles);
+  json["vertices"] = count (surface.vertices);
+  json["edges"] = count (surface.edges);
+  json["boundary_edges"] = count (surface.boundary_edges);
+  json["boundary_loops"] = count (surface.boundary_loops);
+  json["non_manifold_edges"] = count (surface.non_manifold_edges);
+  json["non_manifold_vertices"] = count (surface.non_manifold_vertices);
+  json["euler_characteristic"] = Json::Int64 (surface.euler_characteristic);
+  json["components"] = Json::Value (Json::arrayValue);
+  for (const SurfaceComponent& component : surface.components)
+    json["components"].append (toJson (component));
+  return json;
+}
 
 void
 describeTopology (const pcl::TopologyReport& topology, std::size_t samples, Report& report, Table& table)
 {
   report.result ("vertices", count (topology.vertices));
   report.result ("curves", toJson (topology.curve));
-  report.result ("surfaces", toJson (topology.surface));
+  report.result ("surfaces", surfaceJson (topology.surface));
   report.result ("solids", toJson (topology.solid));
   report.say (inWords (topology));
   if (samples > topology.vertices)

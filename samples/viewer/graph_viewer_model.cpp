@@ -2,7 +2,6 @@
 
 #include "complex_layers.h"
 #include "graph_options.h"
-#include "landmark_report.h"
 #include "table.h"
 
 #include <pcl/manifold/sample_set.h>
@@ -206,16 +205,18 @@ GraphViewerModel::description () const
       ", a = " + std::to_string (parameters_.adjacency_threshold) + " by " +
       nameOf (parameters_.adjacency_rule) + ", faces by " + nameOf (parameters_.face_rule),
     "graph " + secondsOf (graph_stages_) + ", all else " + secondsOf (mesh_stages_)};
-  const LandmarkComponent& total = result_.report.total;
+  const SurfaceTopology& surface = result_.report.surface;
+  const std::string mesh = grouped (result_.landmarks.size ()) + " landmarks, " +
+                           grouped (result_.mesh.edges.size ()) + " adjacencies, ";
   if (status_ == Status::OK)
-    lines.push_back (grouped (total.vertices) + " landmarks, " + grouped (total.edges) + " adjacencies, " +
-                     grouped (total.faces) + " faces, " +
-                     (result_.report.components.size () == 1
-                        ? (total.isClosed () ? "genus " : "genus by formula ") + genusText (total.genus ())
-                        : grouped (result_.report.components.size ()) + " components"));
+    lines.push_back (mesh + grouped (surface.faces) + " faces, " +
+                     (surface.components.size () == 1 && surface.components[0].genus >= 0
+                        ? "genus " + std::to_string (surface.components[0].genus) +
+                            (surface.components[0].orientable ? "" : " (not orientable)") + ", " +
+                            grouped (surface.boundary_loops) + " boundary loops"
+                        : grouped (surface.components.size ()) + " components"));
   else if (status_ == Status::DIMENSION_TOO_LOW)
-    lines.push_back (grouped (total.vertices) + " landmarks, " + grouped (total.edges) +
-                     " adjacencies, no face");
+    lines.push_back (mesh + "no face");
   else
     lines.push_back (std::string ("failed: ") + toString (status_));
   return lines;

@@ -56,7 +56,9 @@ public:
   /** \brief How the last computation ended. */
   Status status () const { return status_; }
 
-  const LandmarkMeshReport& report () const { return result_.report; }
+  std::size_t landmarks () const { return result_.landmarks.size (); }
+
+  const pcl::TopologyReport& report () const { return result_.report; }
 
   /** \brief What to draw. Of what could not be computed, nothing. */
   std::vector<Layer> layers () const;

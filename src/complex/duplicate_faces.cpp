@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace pcl {
@@ -24,16 +25,15 @@ mayBeDuplicate (const SurfaceSides& sides, std::uint32_t face)
                       [&] (std::uint32_t twin) { return sides.face[twin] == sides.face[sides.twin[begin]]; });
 }
 
-/** \brief A face's vertices from the smallest on, in the direction of that one's smaller neighbour. */
-std::vector<std::uint32_t>
-canonicalCycle (const SurfaceSides& sides, std::uint32_t face)
+/** \brief The ends of a face's edges, the smaller one first, in ascending order. */
+std::vector<std::pair<std::uint32_t, std::uint32_t>>
+edgesOf (const SurfaceSides& sides, std::uint32_t face)
 {
-  std::vector<std::uint32_t> cycle (sides.origin.begin () + sides.starts[face],
-                                    sides.origin.begin () + sides.starts[face + 1]);
-  std::rotate (cycle.begin (), std::min_element (cycle.begin (), cycle.end ()), cycle.end ());
-  if (cycle.back () < cycle[1])
-    std::reverse (cycle.begin () + 1, cycle.end ());
-  return cycle;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (std::uint32_t s = sides.starts[face]; s < sides.starts[face + 1]; ++s)
+    edges.push_back (std::minmax ({sides.origin[s], sides.origin[sides.next (s)]}));
+  std::sort (edges.begin (), edges.end ());
+  return edges;
 }
 
 } // namespace
@@ -42,10 +42,10 @@ std::size_t
 countDuplicateFaces (const SurfaceSides& sides)
 {
   std::size_t duplicates = 0;
-  std::set<std::vector<std::uint32_t>> cycles;
+  std::set<std::vector<std::pair<std::uint32_t, std::uint32_t>>> known;
   for (std::uint32_t f = 0; f < sides.faces (); ++f)
     if (mayBeDuplicate (sides, f))
-      duplicates += !cycles.insert (canonicalCycle (sides, f)).second;
+      duplicates += !known.insert (edgesOf (sides, f)).second;
   return duplicates;
 }
 

@@ -2,11 +2,25 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace pcl {
 namespace manifold {
 
 namespace {
+
+/** \brief Does a face pass an edge twice, or go from a vertex to itself? */
+bool
+passesTwice (const pcl::index_t* row, std::size_t size)
+{
+  std::vector<std::pair<pcl::index_t, pcl::index_t>> sides;
+  for (std::size_t i = 0; i < size; ++i)
+    sides.push_back (std::minmax ({row[i], row[i + 1 < size ? i + 1 : 0]}));
+  std::sort (sides.begin (), sides.end ());
+  return std::adjacent_find (sides.begin (), sides.end ()) != sides.end () ||
+         std::any_of (sides.begin (), sides.end (),
+                      [] (const auto& side) { return side.first == side.second; });
+}
 
 /** \brief Is a row no face? \a sorted is scratch space and holds the row's vertices in order afterwards. */
 bool
@@ -15,7 +29,7 @@ isDegenerate (const pcl::index_t* row, std::size_t size, std::size_t index_end, 
   sorted.assign (row, row + size);
   std::sort (sorted.begin (), sorted.end ());
   return size < 3 || sorted.front () < 0 || static_cast<std::size_t> (sorted.back ()) >= index_end ||
-         std::adjacent_find (sorted.begin (), sorted.end ()) != sorted.end ();
+         (std::adjacent_find (sorted.begin (), sorted.end ()) != sorted.end () && passesTwice (row, size));
 }
 
 } // namespace

@@ -4,8 +4,7 @@
 #include "complex/surface_fans.h"
 #include "complex/surface_patches.h"
 #include "complex/surface_sides.h"
-
-#include <pcl/manifold/topology_report.h>
+#include "complex/topology_parts.h"
 
 #include <algorithm>
 #include <tuple>
@@ -49,8 +48,10 @@ private:
 
   void countFaces ()
   {
-    for (std::uint32_t f = 0; f < sides_.faces (); ++f)
+    for (std::uint32_t f = 0; f < sides_.faces (); ++f) {
       ++componentOfFace (f).faces;
+      total_.triangles += sides_.starts[f + 1] - sides_.starts[f] == 3;
+    }
     total_.faces = sides_.faces ();
     total_.degenerate_faces = sides_.degenerate_faces;
     total_.duplicate_faces = countDuplicateFaces (sides_);

@@ -9,6 +9,8 @@ namespace manifold {
 
 CurveTopology analyzeCurve (const std::vector<SimplicialComplex::Edge>& edges);
 
+SurfaceTopology analyzeSurface (const FaceRows& faces);
+
 SolidTopology analyzeSolid (const std::vector<SimplicialComplex::Tetrahedron>& tetrahedra);
 
 } // namespace manifold

@@ -18,7 +18,8 @@ struct CellColors
 
 /** A colour, 0 or 1, for every cell of the Delaunay complex such that surfaces lie where the colour changes:
  * as in the labelling of Power Crust (Amenta, Choi, Kolluri), cells whose circumspheres intersect deeply get
- * the same colour and the two poles of a surface sample opposite ones, the surest of all these wishes first.
+ * the same colour and the two poles of a surface sample opposite ones. These wishes are the signed edges of a
+ * graph over the cells; where they contradict each other the surest ones are granted.
  * Unlike there, nothing is said of the outside in advance, so that both sides of an open sheet, or of a
  * one-sided one, get their colours as well: the change of colour that this needs somewhere in free space is
  * no candidate for a triangle.

@@ -9,6 +9,7 @@
 #include "extraction/solids.h"
 #include "extraction/surface_growth.h"
 #include "extraction/surface_opening.h"
+#include "extraction/surface_pruning.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 #include "extraction/facet_fitting.h"
 
-#include "extraction/surface_opening.h"
+#include "extraction/surface_pruning.h"
 #include "extraction/triangle_shape.h"
 
 #include <algorithm>

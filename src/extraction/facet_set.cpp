@@ -73,12 +73,9 @@ facetOf (const DelaunayComplex& complex, std::int32_t cell, int facet)
 std::array<std::int32_t, 2>
 oppositeSide (const DelaunayComplex& complex, std::int32_t cell, int facet, std::int32_t sample)
 {
-  std::array<std::int32_t, 2> side{};
-  int count = 0;
-  for (const std::int32_t vertex : facetOf (complex, cell, facet))
-    if (vertex != sample && count < 2)
-      side[count++] = vertex;
-  return side;
+  const std::array<std::int32_t, 3> triangle = facetOf (complex, cell, facet);
+  const int k = triangle[0] == sample ? 0 : (triangle[1] == sample ? 1 : 2);
+  return {triangle[(k + 1) % 3], triangle[(k + 2) % 3]};
 }
 
 int

@@ -74,7 +74,8 @@ private:
  * counterclockwise from outside of the cell. */
 std::array<std::int32_t, 3> facetOf (const DelaunayComplex& complex, std::int32_t cell, int facet);
 
-/** The two samples other than the given one of a facet at that sample. */
+/** The two samples other than the given one of a facet at that sample, in the order in which they are seen
+ * counterclockwise around that sample from outside of the cell. */
 std::array<std::int32_t, 2> oppositeSide (const DelaunayComplex& complex, std::int32_t cell, int facet,
                                           std::int32_t sample);
 

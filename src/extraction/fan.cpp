@@ -51,6 +51,16 @@ Fan::isManifold ()
 }
 
 bool
+Fan::isDirected () const
+{
+  for (std::size_t i = 0; i < sides_.size (); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (sides_[i].first == sides_[j].first || sides_[i].second == sides_[j].second)
+        return false;
+  return true;
+}
+
+bool
 Fan::canBecomeManifold ()
 {
   if (std::any_of (sides_.begin (), sides_.end (),

@@ -25,6 +25,10 @@ public:
   /** One path or one cycle: the triangles form one half-disk or disk. */
   bool isManifold ();
 
+  /** No vertex is the first of two sides or the second of two: where each side was added in the order in
+   * which its triangle has it, neighbouring triangles agree on a direction. */
+  bool isDirected () const;
+
   /** Paths, or one cycle and nothing else: triangles between the paths can still make it manifold. */
   bool canBecomeManifold ();
 

@@ -4,6 +4,7 @@
 #include "extraction/cell_coloring.h"
 #include "extraction/color_repair.h"
 #include "extraction/surface_opening.h"
+#include "extraction/surface_pruning.h"
 #include "voronoi/nearest_samples.h"
 
 #include <algorithm>

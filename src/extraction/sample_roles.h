@@ -12,7 +12,7 @@ namespace manifold {
 enum class Role : std::uint8_t
 {
   CURVE,   ///< on a curve
-  SURFACE, ///< inside of a surface or on the skin of a solid: its normal is known
+  SURFACE, ///< inside of a surface or on the skin of a solid, its boundary surface: its normal is known
   RIM,     ///< on the boundary of a surface, or an edge of a solid: it has no normal of its own
   SOLID    ///< inside of a solid
 };

@@ -29,8 +29,9 @@ struct WishKey
   static constexpr Wish wishOf (std::uint64_t key) { return key & ((Wish (1) << WISH_BITS) - 1); }
 };
 
-/** Joins sets of a ParityForest by a list of wishes as if these were granted one after the other in the order
- * of their keys, as far as those before allow: Kruskal's maximum spanning forest.
+/** A maximum spanning forest of a signed graph, into a ParityForest. A wish is a signed edge: it asks for the
+ * same colour of its two ends (+) or for opposite ones (-). Wishes are granted one after the other in the
+ * order of their keys, as Kruskal's algorithm takes edges: each joins two sets, or comes too late.
  *
  * Which wishes join two sets does not depend on how the forest is found, so it is grown in rounds (Boruvka):
  * every set grants the first wish of its own, in parallel. What little is left is sorted.

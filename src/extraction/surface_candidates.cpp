@@ -33,10 +33,12 @@ SurfaceCandidates::areManifoldAt (std::int32_t sample, const std::vector<std::ui
   VoronoiCell (complex, sample).forEachEdge ([&] (std::int32_t a, std::int32_t b, int facet) {
     if (colors[a] == colors[b] || !contains (a, facet))
       return;
+    // As seen from the cells of colour 1: where the colour changes four times around an edge, two facets that
+    // meet there may have these cells on different sides, and no surface with two sides has both.
     const std::array<std::int32_t, 2> side = oppositeSide (complex, a, facet, sample);
-    fan.add (side[0], side[1]);
+    fan.add (side[colors[a] == 1 ? 0 : 1], side[colors[a] == 1 ? 1 : 0]);
   });
-  return fan.isManifold ();
+  return fan.isManifold () && fan.isDirected ();
 }
 
 } // namespace manifold

@@ -26,7 +26,8 @@ public:
   /** Whether a triangle, given as a facet of a cell, is one. One with an infinite vertex never is. */
   bool contains (std::int32_t cell, int facet) const;
 
-  /** Whether those at a sample across which the colour changes form one disk or half-disk. */
+  /** Whether those at a sample across which the colour changes form one disk or half-disk that has the cells
+   * of one colour on one side and those of the other colour on the other. */
   bool areManifoldAt (std::int32_t sample, const std::vector<std::uint8_t>& colors) const;
 
   const SampleDimensions& dimensions () const { return dimensions_; }

@@ -2,7 +2,7 @@
 
 #include "complex/disjoint_sets.h"
 #include "extraction/facet_fitting.h"
-#include "extraction/surface_opening.h"
+#include "extraction/surface_pruning.h"
 
 #include <algorithm>
 

@@ -4,6 +4,7 @@
 #include "extraction/cell_star.h"
 #include "extraction/color_changes.h"
 #include "extraction/patches.h"
+#include "extraction/surface_pruning.h"
 #include "extraction/triangle_shape.h"
 
 #include <algorithm>
@@ -94,12 +95,32 @@ private:
       if (star.components () !=
           2) // the whole surface is no disk here: gaps are not between fans of one sheet
         continue;
-      for (const Facet& facet : smallestClosableGap (sample)) {
+      const std::vector<Facet> gap = smallestClosableGap (sample);
+      std::vector<std::int32_t> vertices;
+      for (const Facet& facet : gap) {
         surface_.insert (facet.cell, facet.facet);
         for (const std::int32_t vertex : facetOf (complex_, facet.cell, facet.facet))
-          queue.push_back (vertex);
+          vertices.push_back (vertex);
       }
+      if (std::all_of (vertices.begin (), vertices.end (),
+                       [this] (std::int32_t vertex) { return isTwoSidedAt (vertex); }))
+        queue.insert (queue.end (), vertices.begin (), vertices.end ());
+      else
+        for (const Facet& facet : gap)
+          surface_.erase (facet.cell, facet.facet);
     }
+  }
+
+  // Whether the triangles at a sample have the cells of one colour on the same side: around a vertex of a gap
+  // the colour may change more than twice.
+  bool isTwoSidedAt (std::int32_t sample) const
+  {
+    Fan fan;
+    surface_.forEachAt (sample, [&] (std::int32_t cell, int facet) {
+      const std::array<std::int32_t, 2> side = oppositeSide (complex_, cell, facet, sample);
+      fan.add (side[colors_[cell] == 1 ? 0 : 1], side[colors_[cell] == 1 ? 1 : 0]);
+    });
+    return fan.isDirected ();
   }
 
   // The facets of the smallest gap between the fans of a sample; none if there is one fan, or if all gaps but

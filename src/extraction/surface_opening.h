@@ -20,10 +20,5 @@ FacetSet closedSurface (const DelaunayComplex& complex, const std::vector<std::u
  * space where an open sheet has no other side. */
 FacetSet openSurface (const SurfaceCandidates& candidates, const std::vector<std::uint8_t>& colors);
 
-/** Erases triangles at the given samples until the set is manifold there and stays so at their neighbours: at
- * each sample the largest fan is kept, and of more than two triangles at an edge those with the smallest
- * circumspheres. */
-void eraseToManifold (const std::vector<std::int32_t>& samples, FacetSet& surface);
-
 } // namespace manifold
 } // namespace pcl

@@ -1,7 +1,5 @@
-#include "extraction/surface_opening.h"
+#include "extraction/surface_pruning.h"
 
-#include "delaunay/circumcenter.h"
-#include "extraction/patches.h"
 #include "extraction/triangle_shape.h"
 
 #include <algorithm>

@@ -12,7 +12,7 @@ namespace pcl::manifold {
 /** \brief Numbers that std::from_chars does not take: those beyond the range of a double, which become
  * infinite or zero, and the `1.#QNAN`, `-1.#IND` and `1.#INF` of old Windows runtimes.
  * \return false if the word is none of them */
-bool parseOddNumber (std::string_view word, long double& number);
+bool parseOddNumber (std::string_view word, double& number);
 
 /** \brief Reads one number that fills all of a word, whatever the locale. An integer type takes no fraction
  * and no overflow, but numbers written as 1.0 or 1e3: some writers print every field as a float. A
@@ -32,7 +32,7 @@ parseNumber (std::string_view word, Number& number)
     return true;
   }
   if constexpr (std::is_floating_point_v<Number>) {
-    long double wide = 0;
+    double wide = 0;
     if (!parseOddNumber (word, wide))
       return false;
     number = static_cast<Number> (wide);

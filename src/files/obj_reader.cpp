@@ -147,11 +147,11 @@ private:
     scanner_.failAtLine ("there is no point " + std::to_string (static_cast<std::int64_t> (largest_) + 1));
   }
 
-  static CloudColumn makeColumn (const std::string& name, const std::vector<float>& values)
+  template <typename Number>
+  static CloudColumn makeColumn (const std::string& name, ScalarType type, const std::vector<Number>& values)
   {
-    CloudColumn column{name, Field::FLOAT32, 1, std::vector<std::uint8_t> (values.size () * sizeof (float))};
-    std::memcpy (column.data.data (), values.data (), column.data.size ());
-    return column;
+    const auto* bytes = reinterpret_cast<const std::uint8_t*> (values.data ());
+    return {name, type, 1, {bytes, bytes + values.size () * sizeof (Number)}};
   }
 
   std::vector<CloudColumn> coordinateColumns () const
@@ -162,12 +162,11 @@ private:
       std::vector<double> values (points ());
       for (std::size_t i = 0; i < points (); ++i)
         values[i] = coordinates_[3 * i + k];
-      columns.push_back (makeColumn (name, {values.begin (), values.end ()}));
-      if (!wide_)
-        continue;
-      columns.back ().type = Field::FLOAT64;
-      columns.back ().data.resize (values.size () * sizeof (double));
-      std::memcpy (columns.back ().data.data (), values.data (), values.size () * sizeof (double));
+      if (wide_)
+        columns.push_back (makeColumn (name, Field::FLOAT64, values));
+      else
+        columns.push_back (
+          makeColumn (name, Field::FLOAT32, std::vector<float> (values.begin (), values.end ())));
     }
     return columns;
   }
@@ -210,7 +209,7 @@ private:
       std::vector<float> values (points ());
       for (std::size_t i = 0; i < points (); ++i)
         values[i] = normals_[3 * static_cast<std::size_t> (normal_of_[i] - 1) + k];
-      columns.push_back (makeColumn (std::string ("normal_") + "xyz"[k], values));
+      columns.push_back (makeColumn (std::string ("normal_") + "xyz"[k], Field::FLOAT32, values));
     }
   }
 

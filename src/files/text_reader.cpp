@@ -74,14 +74,24 @@ private:
     throw FileError ("line " + std::to_string (line) + ": " + why);
   }
 
+  static Notation parse (std::size_t line, std::string_view text, std::vector<double>& numbers)
+  {
+    try {
+      return parseLine (text, numbers);
+    } catch (const FileError& error) {
+      fail (line, error.what ());
+    }
+  }
+
   /** \brief PTX files look like points from their eleventh line on, but the four lines ahead of them move these.
    */
   void refusePtx ()
   {
     std::vector<double> numbers;
     Scanner scanner = scanner_;
+    std::size_t line = 0;
     for (const std::size_t columns : {1, 1, 3, 3, 3, 3, 4, 4, 4, 4}) {
-      parseLine (scanner.line (), numbers);
+      parse (++line, scanner.line (), numbers);
       if (numbers.size () != columns)
         return;
     }
@@ -105,12 +115,7 @@ private:
       text = withoutTail (text);
       if (comment || text.find_first_not_of (" \t\v\f\r") == std::string_view::npos)
         continue;
-      Notation notation;
-      try {
-        notation = parseLine (text, numbers);
-      } catch (const FileError& error) {
-        fail (line, error.what ());
-      }
+      const Notation notation = parse (line, text, numbers);
       if (numbers.empty () && headings_.size () < most_headings)
         headings_.push_back ({line, text});
       append (line, numbers, notation);
@@ -184,7 +189,8 @@ private:
         continue;
       if (first != nullptr && first->notation.mark != lines.notation.mark)
         fail (lines.first, std::string (lines.notation.mark == ',' ? "commas" : "points") +
-                             " ahead of decimals, but not in line " + std::to_string (first->first));
+                             " ahead of decimals, but not so from line " + std::to_string (first->first) +
+                             " on");
       if (first == nullptr)
         first = &lines;
     }
@@ -243,8 +249,8 @@ private:
     }
     const std::string numbers = std::to_string (columns_) + " numbers";
     if (wrong.count > std::max (std::min<std::size_t> (points_ / 10, 5), points_ / 1000))
-      fail (wrong.first, "not the " + numbers + " of most lines, and so are " + std::to_string (wrong.count) +
-                           " lines in all");
+      fail (wrong.first,
+            "not the " + numbers + " of most lines; " + std::to_string (wrong.count) + " lines differ");
     if (skipped.count > 0)
       content_.notes.push_back (
         std::to_string (skipped.count) +

@@ -120,7 +120,7 @@ reconstruct (const NeighborhoodGraph& graph, const Eigen::Ref<const Eigen::Matri
   constexpr Eigen::Index SPACE = 3;
   if (landmark_points.rows () == SPACE)
     turnOutward (result.mesh, landmark_points);
-  result.report = analyze (result.mesh, result.landmarks.size ());
+  result.report = analyze (result.mesh);
 
   if (!log.begin ("triangulation", 0.98f))
     return Status::CANCELLED;

@@ -1,7 +1,8 @@
 #include "scales/persistence.h"
 
 #include "common/parallel.h"
-#include "complex/disjoint_sets.h"
+#include "scales/curve_pieces.h"
+#include "scales/point_paths.h"
 
 #include <Eigen/Geometry>
 
@@ -64,14 +65,12 @@ curveOctaves (const LevelEvidence& evidence, std::size_t sample)
   return evidence.length[sample] > 0.0f ? std::max (labelled, std::log2 (evidence.length[sample])) : labelled;
 }
 
-struct Choice
+Choice
+choiceOf (int label, const Run& run)
 {
-  int label = 2;
-  Run run;
-};
-
-// The samples of a point on the levels, -1 where a level was left out.
-using Path = std::vector<std::int32_t>;
+  return {static_cast<std::uint8_t> (label), static_cast<std::uint8_t> (run.begin),
+          static_cast<std::uint8_t> (run.end)};
+}
 
 Choice
 choose (const std::vector<LevelEvidence>& evidence, const Path& path)
@@ -91,34 +90,34 @@ choose (const std::vector<LevelEvidence>& evidence, const Path& path)
   // A tree is as tall as thin from afar, but a solid at more scales than it is a curve.
   const std::size_t others = std::max (surface.levels (), solid.levels ());
   if (curve.best ().weight >= std::max (CURVE_OCTAVES, static_cast<float> (others)))
-    return {1, curve.best ()};
+    return choiceOf (1, curve.best ());
   if (solid.best ().weight > surface.best ().weight)
-    return {3, solid.best ()};
+    return choiceOf (3, solid.best ());
   if (surface.best ().weight > 0.0f)
-    return {2, surface.best ()};
+    return choiceOf (2, surface.best ());
   // No level fits, or there are too few of them for a short curve: as the finest says.
   const auto finest = static_cast<std::size_t> (
     std::find_if (path.begin (), path.end (), [] (std::int32_t sample) { return sample >= 0; }) -
     path.begin ());
   const auto label = evidence[finest].manifold_dimension[static_cast<std::size_t> (path[finest])];
-  return {label, {0.0f, finest, finest + 1}};
+  return choiceOf (label, {0.0f, finest, finest + 1});
 }
 
 // Surfaces and solids are thicker than a point: single ones that differ from those around them are mistaken.
 void
-outvote (const std::vector<pcl::index_t>& neighbors, std::vector<std::uint8_t>& labels)
+outvote (const std::vector<pcl::index_t>& neighbors, std::vector<Choice>& choices)
 {
   if (neighbors.empty ())
     return;
-  const std::vector<std::uint8_t> chosen = labels;
-  parallelFor (labels.size (), [&] (std::size_t i) {
-    if (chosen[i] == 1)
+  const std::vector<Choice> chosen = choices;
+  parallelFor (choices.size (), [&] (std::size_t i) {
+    if (chosen[i].label == 1)
       return;
-    const std::uint8_t other = chosen[i] == 2 ? 3 : 2;
+    const std::uint8_t other = chosen[i].label == 2 ? 3 : 2;
     const pcl::index_t* voters = neighbors.data () + i * NEAREST;
-    if (std::count_if (voters, voters + NEAREST, [&] (pcl::index_t q) { return chosen[q] == other; }) >=
+    if (std::count_if (voters, voters + NEAREST, [&] (pcl::index_t q) { return chosen[q].label == other; }) >=
         MAJORITY)
-      labels[i] = other;
+      choices[i].label = other;
   });
 }
 
@@ -128,7 +127,19 @@ PersistentLabels
 choosePersistent (const std::vector<ScaleLevel>& levels, const std::vector<LevelEvidence>& evidence,
                   const std::vector<pcl::index_t>& neighbors)
 {
-  const auto n = static_cast<std::size_t> (levels.front ().centers.cols ());
+  const PointPaths paths (levels, evidence);
+  const std::size_t n = paths.points ();
+  std::vector<Choice> choices (n);
+  parallelRanges (n, [&] (std::size_t begin, std::size_t end) {
+    Path path;
+    for (std::size_t point = begin; point < end; ++point) {
+      paths.find (point, path);
+      choices[point] = choose (evidence, path);
+    }
+  });
+  outvote (neighbors, choices);
+  adoptByPieces (paths, choices);
+
   PersistentLabels result;
   result.manifold_dimension.resize (n);
   result.dimension.resize (n);
@@ -138,80 +149,36 @@ choosePersistent (const std::vector<ScaleLevel>& levels, const std::vector<Level
   result.persistence.resize (n);
   result.tangent = Eigen::Matrix3Xf::Zero (3, static_cast<Eigen::Index> (n));
   result.offset.assign (n, 0.0f);
-
-  // The pieces of all levels are numbered through.
-  std::vector<std::uint32_t> first_piece (evidence.size () + 1, 0);
-  for (std::size_t level = 0; level < evidence.size (); ++level)
-    first_piece[level + 1] = first_piece[level] + static_cast<std::uint32_t> (evidence[level].pieces);
-  std::vector<std::int32_t> piece_of (n, -1); // of a point of a curve: its longest piece
-
-  const auto pathOf = [&] (std::size_t point, Path& path) {
-    auto sample = static_cast<std::int32_t> (point);
-    for (std::size_t level = 0; level < levels.size (); ++level) {
-      if (level > 0)
-        sample = levels[level].sample_of[sample];
-      path[level] = evidence[level].dimension.empty () ? -1 : sample;
-    }
-  };
   parallelRanges (n, [&] (std::size_t begin, std::size_t end) {
-    Path path (levels.size ());
+    Path path;
     for (std::size_t point = begin; point < end; ++point) {
-      pathOf (point, path);
-      const Choice choice = choose (evidence, path);
-      const LevelEvidence& finest = evidence[choice.run.begin];
-      const auto sample = static_cast<std::size_t> (path[choice.run.begin]);
-      result.manifold_dimension[point] = static_cast<std::uint8_t> (choice.label);
+      paths.find (point, path);
+      const Choice choice = choices[point];
+      const LevelEvidence& finest = evidence[choice.begin];
+      const auto sample = static_cast<std::size_t> (path[choice.begin]);
+      result.manifold_dimension[point] = choice.label;
       result.dimension[point] = finest.dimension[sample];
       result.boundary[point] = finest.boundary[sample];
       result.scale[point] = static_cast<float> (finest.spacing);
-      result.persistence[point] = OCTAVES_PER_LEVEL * static_cast<float> (choice.run.end - choice.run.begin);
+      result.persistence[point] = OCTAVES_PER_LEVEL * static_cast<float> (choice.end - choice.begin);
       float confidence = 0.0f, longest = -1.0f;
-      for (std::size_t level = choice.run.begin; level < choice.run.end; ++level) {
-        const auto here = static_cast<std::size_t> (path[level]);
-        confidence += evidence[level].confidence[here];
-        if (choice.label != 1 || evidence[level].length[here] <= longest)
+      const auto column = static_cast<Eigen::Index> (point);
+      for (std::size_t level = choice.begin; level < choice.end; ++level) {
+        const std::int32_t here = path[level];
+        const LevelEvidence& there = evidence[level];
+        confidence += there.confidence[static_cast<std::size_t> (here)];
+        if (choice.label != 1 || there.length[static_cast<std::size_t> (here)] <= longest)
           continue;
-        longest = evidence[level].length[here];
-        result.tangent.col (static_cast<Eigen::Index> (point)) =
-          evidence[level].direction.col (static_cast<Eigen::Index> (here));
-        const Eigen::Vector3d to = levels.front ().centers.col (static_cast<Eigen::Index> (point)) -
-                                   levels[level].centers.col (static_cast<Eigen::Index> (here));
-        result.offset[point] = static_cast<float> (
-          to.cross (result.tangent.col (static_cast<Eigen::Index> (point)).cast<double> ()).norm ());
-        if (evidence[level].piece[here] >= 0)
-          piece_of[point] = static_cast<std::int32_t> (first_piece[level]) + evidence[level].piece[here];
+        longest = there.length[static_cast<std::size_t> (here)];
+        result.tangent.col (column) = there.direction.col (here);
+        const Eigen::Vector3d to = levels.front ().centers.col (column) - levels[level].centers.col (here);
+        result.offset[point] =
+          static_cast<float> (to.cross (there.direction.col (here).cast<double> ()).norm ());
       }
-      result.confidence[point] = confidence / static_cast<float> (choice.run.end - choice.run.begin);
+      result.confidence[point] = confidence / static_cast<float> (choice.end - choice.begin);
     }
   });
-
-  outvote (neighbors, result.manifold_dimension);
-
-  // Points of curves join the pieces that they belong to on the levels of their runs.
-  DisjointSets sets (first_piece.back ());
-  Path path (levels.size ());
-  for (std::size_t point = 0; point < n; ++point) {
-    if (piece_of[point] < 0)
-      continue;
-    pathOf (point, path);
-    const Run run = choose (evidence, path).run;
-    for (std::size_t level = run.begin; level < run.end; ++level) {
-      const std::int32_t piece = evidence[level].piece[static_cast<std::size_t> (path[level])];
-      if (piece >= 0)
-        sets.join (static_cast<std::uint32_t> (piece_of[point]),
-                   first_piece[level] + static_cast<std::uint32_t> (piece));
-    }
-  }
-  // Curves are numbered by their first points.
-  result.curve.assign (n, -1);
-  std::vector<std::int32_t> number (first_piece.back (), -1);
-  for (std::size_t point = 0; point < n; ++point)
-    if (piece_of[point] >= 0) {
-      std::int32_t& curve = number[sets.find (static_cast<std::uint32_t> (piece_of[point]))];
-      if (curve < 0)
-        curve = result.curves++;
-      result.curve[point] = curve;
-    }
+  result.curves = joinCurves (paths, choices, result.curve);
   return result;
 }
 

@@ -177,16 +177,17 @@ printSubsample (const GraphModel& model, const Request& request)
 void
 printParameterRow (const Reconstruction& reconstruction, std::size_t points)
 {
-  const pcl::manifold::LandmarkMeshReport& report = reconstruction.getReport ();
-  const pcl::manifold::LandmarkComponent& total = report.total;
+  const pcl::TopologyReport& report = reconstruction.getReport ();
+  const pcl::manifold::SurfaceTopology& surface = report.surface;
+  const std::size_t edges = report.curve.edges + surface.edges;
   const auto percent = [] (std::size_t part, std::size_t whole) {
     return whole == 0 ? 0.0 : 100.0 * static_cast<double> (part) / static_cast<double> (whole);
   };
-  std::printf ("%5d %5d %10zu %8zu %8zu %9.1f%% %7g %10.2f%% %6zu %6zu", reconstruction.getHops (),
-               reconstruction.getAdjacencyThreshold (), total.vertices, total.edges, total.faces,
-               percent (total.triangles, total.faces), total.genus (),
-               percent (total.edges_in_two_faces, total.edges), report.components.size (),
-               total.boundary_loops);
+  std::printf ("%5d %5d %10zu %8zu %8zu %9.1f%% %7d %10.2f%% %6zu %6zu", reconstruction.getHops (),
+               reconstruction.getAdjacencyThreshold (), reconstruction.getLandmarks ().size (), edges,
+               surface.faces, percent (surface.triangles, surface.faces),
+               surface.components.empty () ? -1 : surface.components.front ().genus,
+               percent (surface.inner_edges, edges), surface.components.size (), surface.boundary_loops);
   if (points == paper::BUNNY_POINTS)
     for (const paper::Parameters& row : paper::BUNNY)
       if (row.hops == reconstruction.getHops () && row.threshold == reconstruction.getAdjacencyThreshold ()) {

@@ -2,6 +2,7 @@
 
 #include <app_main.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
@@ -20,9 +21,9 @@ constexpr Eigen::Index MIN_POINTS = 1000;
 void
 printHeader ()
 {
-  std::printf ("%-34s %4s %8s %6s %6s %8s %8s %6s %6s %5s %5s %8s %5s %6s %7s  %s\n", "model", "", "samples",
-               "dim 1", "dim 3", "used %", "triangl.", "edges", "tetra.", "loops", "n.m.", "Euler", "comp.",
-               "genus", "s", "complaints");
+  std::printf ("%-34s %4s %8s %6s %6s %8s %8s %6s %6s %5s %5s %8s %5s %7s %6s %7s  %s\n", "model", "",
+               "samples", "dim 1", "dim 3", "used %", "triangl.", "edges", "tetra.", "loops", "n.m.", "Euler",
+               "comp.", "1-sided", "genus", "s", "complaints");
 }
 
 /** \return whether there is nothing to complain about */
@@ -35,14 +36,17 @@ printRow (const std::string& name, const char* mode, const must_show::Evaluation
   if (row.dimensions)
     for (const std::uint8_t dimension : row.dimensions->manifold_dimension)
       ++of_dimension[dimension & 3];
+  const auto one_sided = std::count_if (surface.components.begin (), surface.components.end (),
+                                        [] (const auto& component) { return !component.orientable; });
   const std::string complaints = row.complaints (expected);
-  std::printf ("%-34.34s %4s %8zu %6zu %6zu %8.3f %8zu %6zu %6zu %5zu %2zu/%-2zu %8ld %5zu %6d %7.2f  %s\n",
-               name.c_str (), mode, row.samples, of_dimension[1], of_dimension[3], 100.0 * row.used (),
-               surface.faces, row.topology.curve.edges, row.topology.solid.tetrahedra, surface.boundary_loops,
-               surface.non_manifold_edges, surface.non_manifold_vertices,
-               static_cast<long> (surface.euler_characteristic), surface.components.size (),
-               surface.components.empty () ? -1 : surface.components.front ().genus, row.seconds,
-               complaints.c_str ());
+  std::printf (
+    "%-34.34s %4s %8zu %6zu %6zu %8.3f %8zu %6zu %6zu %5zu %2zu/%-2zu %8ld %5zu %7ld %6d %7.2f  %s\n",
+    name.c_str (), mode, row.samples, of_dimension[1], of_dimension[3], 100.0 * row.used (), surface.faces,
+    row.topology.curve.edges, row.topology.solid.tetrahedra, surface.boundary_loops,
+    surface.non_manifold_edges, surface.non_manifold_vertices,
+    static_cast<long> (surface.euler_characteristic), surface.components.size (),
+    static_cast<long> (one_sided), surface.components.empty () ? -1 : surface.components.front ().genus,
+    row.seconds, complaints.c_str ());
   std::fflush (stdout);
   return complaints.empty ();
 }

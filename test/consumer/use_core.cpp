@@ -45,7 +45,7 @@ genusOfSphere ()
   reconstruction.reconstruct (mesh);
   if (reconstruction.getStatus () != pcl::manifold::Status::OK || mesh.polygons.empty ())
     return -1.0;
-  return reconstruction.getReport ().total.genus ();
+  return reconstruction.getReport ().surface.components.front ().genus;
 }
 
 } // namespace

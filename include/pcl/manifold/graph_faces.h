@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pcl/manifold/graph_voronoi.h>
+#include <pcl/manifold/topology_report.h>
 
 #include <array>
 #include <cstddef>
@@ -68,54 +69,13 @@ PCL_MANIFOLD_CORE_EXPORTS LandmarkMesh findFaces (const NeighborhoodGraph& graph
 PCL_MANIFOLD_CORE_EXPORTS std::vector<std::array<pcl::index_t, 3>> triangulateFaces (
   const LandmarkMesh& mesh, const Eigen::Ref<const Eigen::MatrixXd>& points);
 
-/** \brief The topology of one component of a landmark mesh, n - e + f = 2 - 2 g (section 4.3).
+/** \brief The topology of a mesh of landmarks, before it is cut into triangles: its faces are the surface,
+ * its edges in no face the curve. Landmarks without an edge are not in it. Of a closed orientable component
+ * of the surface n - e + f = 2 - 2 g (section 4.3).
+ * \param[in] mesh any; an edge of a face need not be among the edges
+ * \return without a solid
  * \ingroup manifold */
-struct LandmarkComponent
-{
-  std::size_t vertices = 0;            ///< n: landmarks
-  std::size_t edges = 0;               ///< e
-  std::size_t faces = 0;               ///< f
-  std::size_t triangles = 0;           ///< faces of three edges
-  std::size_t edges_in_no_face = 0;    ///< of curves, and where no face was found
-  std::size_t edges_in_one_face = 0;   ///< of the boundary
-  std::size_t edges_in_two_faces = 0;  ///< inside of the surface
-  std::size_t edges_in_more_faces = 0; ///< where it is no manifold
-  /// The holes of the mesh, and loops of edges in one face that are in none of them, from each to the next
-  /// that bounds the same fan of faces
-  std::size_t boundary_loops = 0;
-  bool orientable = true; ///< neighbours can be made to agree in direction
-
-  /** \brief Is every edge in two faces?
-   * \return true if so, and if there is a face */
-  bool isClosed () const { return faces > 0 && edges_in_two_faces == edges; }
-
-  /** \brief The genus by equation 2, if the component is closed and orientable.
-   * \return (2 - n + e - f) / 2; else only that number, to which every boundary loop adds a half, and an edge in
-   * no face up to as much */
-  double genus () const
-  {
-    return (2.0 - static_cast<double> (vertices) + static_cast<double> (edges) -
-            static_cast<double> (faces)) /
-           2.0;
-  }
-};
-
-/** \brief The topology of a landmark mesh: the sum over all components, and each of them, the one with the
- * most landmarks first. The formula for the genus is one for each component: that of the total is right where
- * there is one only.
- * \ingroup manifold */
-struct LandmarkMeshReport
-{
-  LandmarkComponent total;                   ///< the sum over all components
-  std::vector<LandmarkComponent> components; ///< the one with the most landmarks first
-};
-
-/** \brief Counts, and sorts by components: landmarks that hang together through edges. Close to linear.
- * \param[in] mesh any; an edge of a face that is not among the edges counts as one
- * \param[in] landmarks the number of landmarks: all numbers in the mesh are below it
- * \return the counts
- * \ingroup manifold */
-PCL_MANIFOLD_CORE_EXPORTS LandmarkMeshReport analyze (const LandmarkMesh& mesh, std::size_t landmarks);
+PCL_MANIFOLD_CORE_EXPORTS pcl::TopologyReport analyze (const LandmarkMesh& mesh);
 
 } // namespace manifold
 } // namespace pcl

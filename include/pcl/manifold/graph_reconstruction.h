@@ -212,8 +212,8 @@ public:
   const manifold::LandmarkMesh& getLandmarkMesh () const { return result_.mesh; }
 
   /** \brief Counts and genus of the mesh of landmarks, before it was triangulated (section 4.3).
-   * \return of the whole mesh and of each component */
-  const manifold::LandmarkMeshReport& getReport () const { return result_.report; }
+   * \return its faces are the surface, its edges in no face the curve */
+  const TopologyReport& getReport () const { return result_.report; }
 
   /** \brief The neighbourhood graph that was used.
    * \return over the distinct finite points of the cloud, or the given one, made proper */

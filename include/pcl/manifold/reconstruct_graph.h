@@ -39,7 +39,7 @@ struct GraphMesh
   std::vector<TileContact> contacts;                  ///< tiles that touch each other
   LandmarkMesh mesh;                                  ///< over numbers of landmarks
   std::vector<std::array<pcl::index_t, 3>> triangles; ///< of the faces, if asked for
-  LandmarkMeshReport report;                          ///< of the mesh, before it was triangulated
+  pcl::TopologyReport report;                         ///< of the mesh, before it was triangulated
 };
 
 /** \brief GraphReconstruction without PCL: everything after the neighbourhood graph, steps 2 to 5.

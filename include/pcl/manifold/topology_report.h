@@ -4,6 +4,7 @@
 #include <pcl/manifold/simplicial_complex.h>
 #include <pcl/types.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -57,6 +58,7 @@ struct SurfaceComponent
 struct SurfaceTopology
 {
   std::size_t faces = 0;              ///< without the degenerate ones
+  std::size_t triangles = 0;          ///< faces of three edges
   std::size_t vertices = 0;           ///< of faces
   std::size_t edges = 0;              ///< boundary_edges + inner_edges + non_manifold_edges
   std::size_t boundary_edges = 0;     ///< edges of one face
@@ -67,11 +69,21 @@ struct SurfaceTopology
   std::size_t non_manifold_vertices = 0;
   std::size_t boundary_loops = 0;        ///< of all components
   std::int64_t euler_characteristic = 0; ///< vertices - edges + faces
-  /** Faces of fewer than three vertices, or with a repeated or negative vertex: left out of all else. */
+  /** Faces of fewer than three vertices, with a negative vertex, or that pass an edge twice or from a vertex
+   * to itself: left out of all else. A face may pass a vertex more than once, which then is no manifold one.
+   */
   std::size_t degenerate_faces = 0;
   /** Faces with the same edges as another one before them: they take part in all else. */
   std::size_t duplicate_faces = 0;
   std::vector<SurfaceComponent> components; ///< most faces first; of equals the one with the first face
+
+  /** \brief Whether every component has two sides.
+   * \return true if so, for an empty surface as well */
+  bool isOrientable () const
+  {
+    return std::all_of (components.begin (), components.end (),
+                        [] (const SurfaceComponent& component) { return component.orientable; });
+  }
 
   /** \brief Whether there is no boundary edge.
    * \return true if so, for an empty surface as well */
@@ -134,9 +146,10 @@ struct SolidTopology
 
 } // namespace manifold
 
-/** \brief What a complex is, topologically. The surface is the topology of the triangles alone and
- * solid.boundary that of the boundary of the tetrahedra alone, because a reconstruction takes its sheets and
- * the skins of its solids for different things: where a sheet meets a solid, its rim is a boundary.
+/** \brief What a complex, or a mesh of polygons and edges, is topologically. The surface is the topology of
+ * the triangles or polygons alone and solid.boundary that of the boundary of the tetrahedra alone, because a
+ * reconstruction takes its sheets and the skins of its solids for different things: where a sheet meets a
+ * solid, its rim is a boundary.
  * \ingroup manifold */
 struct TopologyReport
 {
@@ -155,11 +168,14 @@ namespace manifold {
  * \ingroup manifold */
 PCL_MANIFOLD_CORE_EXPORTS pcl::TopologyReport analyze (const SimplicialComplex& complex);
 
-/** \brief As analyze (complex), for faces of any number of vertices.
+/** \brief As analyze (complex), for faces of any number of vertices and the edges between them.
  * \param[in] faces rows as described in FaceRows
- * \return the topology of the faces as a surface
+ * \param[in] edges those that are sides of a face, degenerate or not, tell nothing new; the curve of the
+ * report is the topology of the others, which are in no face
+ * \return without a solid
  * \ingroup manifold */
-PCL_MANIFOLD_CORE_EXPORTS SurfaceTopology analyzeSurface (const FaceRows& faces);
+PCL_MANIFOLD_CORE_EXPORTS pcl::TopologyReport analyze (
+  const FaceRows& faces, const std::vector<SimplicialComplex::Edge>& edges = {});
 
 } // namespace manifold
 } // namespace pcl

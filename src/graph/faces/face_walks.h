@@ -17,8 +17,9 @@ namespace manifold {
  * A face should pass no tile twice. Where a walk passes one twice in opposite directions, some order around a
  * tile is wrong that could as well have been the other way round: turning it there makes two walks of the
  * walk. Where it passes an edge twice, this one has crossed another edge: removing the weakest makes two of
- * it as well. Each of both brings the surface one step nearer to the simplest one. What passes an edge twice
- * in the end is no part of a surface: wires, by which parts hang together, and curves.
+ * it as well. Each of both brings the surface one step nearer to the simplest one. Edges
+ * that a walk passes twice in the end are no part of a surface: they are wires, bridges between its parts and
+ * edges of curves.
  *
  * A walk goes along the boundary of a hole instead of around a face if points meet at hardly any of its
  * corners, or if it is longer than faces may be and cannot be cut into shorter ones. Short walks, of three

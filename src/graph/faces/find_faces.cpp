@@ -52,7 +52,7 @@ public:
   bool any () const
   {
     return std::any_of (parts_.components.begin (), parts_.components.end (),
-                        [] (const LandmarkComponent& component) { return !component.orientable; });
+                        [] (const MeshComponent& component) { return !component.orientable; });
   }
 
   // The contacts, those of one-sided components alone being adjacent.
@@ -71,8 +71,8 @@ public:
     std::vector<std::uint8_t> replaced (landmarks_, 0);
     for (std::size_t landmark = 0; landmark < landmarks_; ++landmark)
       replaced[landmark] = isOneSided (static_cast<pcl::index_t> (landmark)) &&
-                           isBetter (others.components[others.component_of[landmark]],
-                                     parts_.components[parts_.component_of[landmark]]);
+                           isBetter (others.of (static_cast<pcl::index_t> (landmark)),
+                                     parts_.of (static_cast<pcl::index_t> (landmark)));
     take (other.edges, mesh_.edges, replaced);
     take (other.faces, mesh_.faces, replaced);
     take (other.holes, mesh_.holes, replaced);
@@ -81,21 +81,18 @@ public:
   }
 
 private:
-  bool isOneSided (pcl::index_t landmark) const
-  {
-    return !parts_.components[parts_.component_of[landmark]].orientable;
-  }
+  bool isOneSided (pcl::index_t landmark) const { return !parts_.of (landmark).orientable; }
 
-  static std::int64_t eulerWithoutHoles (const LandmarkComponent& component)
+  static std::int64_t eulerWithoutHoles (const MeshComponent& component)
   {
-    return static_cast<std::int64_t> (component.vertices + component.faces + component.boundary_loops) -
+    return static_cast<std::int64_t> (component.vertices + component.faces + component.holes) -
            static_cast<std::int64_t> (component.edges);
   }
 
-  static bool isBetter (const LandmarkComponent& a, const LandmarkComponent& b)
+  static bool isBetter (const MeshComponent& a, const MeshComponent& b)
   {
     // A one-sided sheet must not become a two-sided one by a boundary more.
-    return a.orientable && a.vertices == b.vertices && a.boundary_loops <= b.boundary_loops &&
+    return a.orientable && a.vertices == b.vertices && a.holes <= b.holes &&
            eulerWithoutHoles (a) >= eulerWithoutHoles (b);
   }
 

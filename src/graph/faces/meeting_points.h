@@ -9,8 +9,9 @@
 namespace pcl {
 namespace manifold {
 
-/** The vertices that see at least three tiles, their own and those of their neighbours: they are around the
- * corners of the tiles, and tell which tiles follow each other along the border of a third one.
+/** The vertices of the graph Voronoi diagram: those of the graph that see at least three tiles, their own and
+ * those of their neighbours. They are around the corners of the tiles, and tell which tiles follow each other
+ * along the border of a third one.
  *
  * Vertices that see very many tiles are left out: they tell nothing. */
 class MeetingPoints

@@ -11,9 +11,12 @@ namespace manifold {
 
 /** The graph of adjacent tiles, embedded in a surface: the cyclic order of the edges around every tile, and
  * for every edge whether the orders at its two ends go in opposite directions (a general rotation system).
- * It always is the embedding in some closed surface: faces are walks, and every edge is passed twice by them.
+ * It always is the embedding in some closed surface: faces are closed walks, the facial walks, and every edge
+ * is passed twice by them.
  *
- * Edges are pairs of darts, one at each end. A corner is between two darts that follow each other. */
+ * Edges are pairs of darts (half-edges), one at each end. A corner is between two darts that follow each
+ * other.
+ */
 class RotationSystem
 {
 public:

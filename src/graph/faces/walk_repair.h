@@ -11,7 +11,8 @@
 namespace pcl {
 namespace manifold {
 
-/** Finds what is wrong with single walks of a rotation system, and mends it. */
+/** Finds facial walks of a rotation system (see there) that no embedding in the surface sampled can have, and
+ * repairs the rotations that they come from. */
 class WalkRepair
 {
 public:
@@ -22,8 +23,9 @@ public:
   /** \param[in,out] system all of these must outlive this object */
   WalkRepair (const ContactRows& rows, const MeetingPoints& meetings, RotationSystem& system);
 
-  /** Changes the system where one walk shows that it is wrong: the surface has a handle or a crosscap less
-   * then. The walk falls into others, which are walks along the same corners, as far as these still exist.
+  /** Mends the system where one walk shows that it is wrong, by turning rotations or removing an edge: the
+   * surface has a handle or a crosscap less then. The walk falls into others, which are walks along the same
+   * corners, as far as these still exist.
    * \param[in] is_hole of its walks only those parts that pass points are mended
    * \return false if there is nothing to mend */
   bool mend (const Walk& walk, bool is_hole);
