@@ -62,7 +62,7 @@ if (NOT TARGET pcl_manifold_delaunay)
   set (headers_of_delaunay REGEX "/(${names})\\.(h|hpp)$" EXCLUDE)
 endif ()
 install (DIRECTORY "${PROJECT_SOURCE_DIR}/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT dev
-  PATTERN "*.dox" EXCLUDE ${headers_of_delaunay})
+  PATTERN "*.dox" EXCLUDE PATTERN "pages" EXCLUDE ${headers_of_delaunay})
 
 list (JOIN PCL_MANIFOLD_PCL_COMPONENTS " " PCL_MANIFOLD_PCL_COMPONENTS_SPACED)
 configure_package_config_file (

@@ -55,8 +55,9 @@ landmarks () { run landmarks_to_mesh landmarks "$1" ply "${@:2}"; }
 say "4/7 dimension: which points lie on curves, on surfaces, in solids"
 dimension scene.pcd
 dimension lidar-aerial.pcd
+"$bin/pcl_dimension_detection" "$out/clouds/lidar-aerial.pcd" "$out/lidar-aerial-wires.pcd" -only horizontal
 if [ ${#real[@]} -gt 0 ]; then
-  dimension b9_training.ply -thin 4
+  dimension b9_training.ply
 fi
 
 say "5/7 shape: edges, triangles and tetrahedra"
@@ -88,6 +89,7 @@ say "done. In $out:"
     if (name ~ /\.json$/) return "report"
     if (name ~ /\.png$/) return "picture"
     if (name ~ /\.ply$/) return "mesh"
-    return "cloud with the fields dimension, manifold_dimension, boundary, confidence"
+    if (name ~ /-wires/) return "the points of wires alone"
+    return "cloud with the fields dimension, manifold_dimension, boundary, scale, curve and more"
   }
   { printf "  %-34s %10s  %s\n", $1, $2, kind($1) }')

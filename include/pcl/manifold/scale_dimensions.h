@@ -22,8 +22,8 @@ namespace manifold {
  * \ingroup manifold */
 struct ScaleParameters
 {
-  /// The spacings, in the unit of the cloud; 0 and 0 for from that of the points to an eighth of the extent.
-  double from = 0.0, to = 0.0;
+  double from = 0.0; ///< the finest spacing, in the unit of the cloud; 0 = that of the points
+  double to = 0.0;   ///< the coarsest one; 0 = an eighth of the extent
   /// Where the sensor stood, in the coordinates of the cloud.
   std::optional<Eigen::Vector3d> sensor_origin;
 };
