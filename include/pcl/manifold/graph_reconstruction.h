@@ -47,7 +47,7 @@ namespace pcl {
  * that fewer than three landmarks are left), PARAMETER_OUT_OF_RANGE, INPUT_TOO_COARSE, INPUT_OUT_OF_RANGE,
  * TOO_MANY_POINTS, CANCELLED, OUT_OF_MEMORY, INTERNAL_ERROR (also where the progress callback throws).
  *
- * Time is that of a k nearest neighbour search, O (n log n), and about half of it again; memory about 240
+ * Time is that of a k nearest neighbour search, O (n log n), and about half of it again; memory about 230
  * bytes a point. The result is the same, bit for bit, for any number of threads and, up to renumbering, for
  * any order of the points. Where a graph is given the numbers of its vertices decide instead.
  *
