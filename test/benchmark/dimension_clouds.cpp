@@ -1,5 +1,7 @@
 #include "dimension_clouds.h"
 
+#include "app_error.h"
+
 #include "../test_must_show_models.h"
 
 #include <files/cloud_fields.h>
