@@ -4,8 +4,8 @@
 
 #include <app_error.h>
 #include <app_main.h>
-#include <generate/catalogue.h>
 #include <files/number_text.h>
+#include <generate/catalogue.h>
 
 #include <pcl/manifold/cocone_shape.h>
 #include <pcl/manifold/fixed_point_reconstruction.h>

@@ -1,9 +1,9 @@
 #include "graph_models.h"
 
 #include <app_error.h>
+#include <files/number_text.h>
 #include <generate/catalogue.h>
 #include <generate/sampling.h>
-#include <files/number_text.h>
 #include <sample_input.h>
 
 #include <filesystem>
