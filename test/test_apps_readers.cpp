@@ -179,7 +179,7 @@ TEST (Ply, SaysThatListsOfSeveralLengthsAreLeftOut)
   EXPECT_EQ (input.cloud.fields.size (), 4u);
   EXPECT_EQ (findField (input.cloud, "pair")->count, 2u);
   ASSERT_EQ (input.notes.size (), 1u);
-  EXPECT_EQ (input.notes[0], "left out, lists of the vertices that are empty or of several lengths: views");
+  EXPECT_EQ (input.notes[0], "left out, lists of the vertices that are empty or of several lengths: 'views'");
 }
 
 TEST (Ply, KeepsTheLayoutOfAnOrganisedCloud)

@@ -77,6 +77,8 @@ repack (const pcl::PCLPointCloud2& cloud, const std::string& name = {}, ScalarTy
     appendField (result, name, type);
   allocatePoints (result);
   for (const auto& [field, offset] : copies) {
+    if (result.data.empty ())
+      break;
     std::uint8_t* to = result.data.data () + offset;
     for (std::size_t row = 0; row < cloud.height; ++row)
       for (std::size_t column = 0; column < cloud.width; ++column, to += result.point_step)
@@ -230,7 +232,7 @@ makeCloud (const std::vector<CloudColumn>& columns, std::size_t points)
   cloud.width = static_cast<pcl::uindex_t> (points);
   allocatePoints (cloud);
   const std::size_t step = cloud.point_step;
-  for (std::size_t c = 0; c < columns.size (); ++c) {
+  for (std::size_t c = 0; c < columns.size () && points > 0; ++c) {
     const CloudColumn& column = columns[c];
     const std::size_t size = column.count * sizeOf (column.type);
     const std::uint8_t* from = column.data.data ();

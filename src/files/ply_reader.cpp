@@ -139,15 +139,16 @@ private:
         column.data.insert (column.data.end (), values_.begin (), values_.end ());
     });
     std::vector<CloudColumn> fields;
-    std::string dropped;
+    std::string dropped; // names of the first few
+    std::size_t lost = 0;
     for (std::size_t i = 0; i < columns.size (); ++i)
       if (is_field[i])
         fields.push_back (std::move (columns[i]));
-      else
-        dropped += (dropped.empty () ? "" : ", ") + columns[i].name;
-    if (!dropped.empty ())
+      else if (++lost <= 5)
+        dropped += (lost == 1 ? "" : ", ") + quoted (columns[i].name);
+    if (lost > 0)
       content_.notes.push_back ("left out, lists of the vertices that are empty or of several lengths: " +
-                                dropped);
+                                dropped + (lost > 5 ? ", ..." : ""));
     joinColors (fields);
     content_.cloud = makeCloud (fields, element.count);
   }

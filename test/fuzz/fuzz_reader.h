@@ -5,17 +5,20 @@
 
 #include <pcl/common/io.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
+#include <string>
+#include <string_view>
 
 /** What every reader keeps to, whatever the bytes: it fails with one line that says why, or what it gives is
  * consistent. */
 namespace fuzz {
 
 inline void
-require (bool promise, const char* what)
+require (bool promise, std::string_view what)
 {
   if (promise)
     return;
@@ -26,9 +29,10 @@ require (bool promise, const char* what)
 inline void
 requireLine (const std::string& text)
 {
-  require (!text.empty () && text.size () < 2000, "a message is one line of some length");
-  for (const char c : text)
-    require (c >= ' ' && c <= '~', "a message is printable");
+  const bool printable =
+    std::all_of (text.begin (), text.end (), [] (char c) { return c >= ' ' && c <= '~'; });
+  if (text.empty () || text.size () >= 2000 || !printable)
+    require (false, "a message is one line: " + text);
 }
 
 inline void
