@@ -15,8 +15,8 @@ namespace manifold {
 
 namespace {
 
-// A curve as long as 64 spacings at one level, or 8 at two levels.
-constexpr float CURVE_OCTAVES = 6.0f;
+// A curve as long as 32 spacings at one level, or about 6 at two levels.
+constexpr float CURVE_OCTAVES = 5.0f;
 constexpr float OCTAVES_PER_LEVEL = 0.5f;
 // So many of the nearest points outvote one in whether it is of a surface or a solid.
 constexpr int MAJORITY = 7;

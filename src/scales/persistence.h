@@ -33,7 +33,7 @@ struct PersistentLabels
  *
  * A run is a sequence of consecutive levels that say the same of a point. A level speaks for a curve where
  * the point belongs to a piece of one, by the logarithm of its length in spacings (octaves again), or where
- * it and most of its neighbours are labelled so, by one; a run that gathers six octaves makes the point one
+ * it and most of its neighbours are labelled so, by one; a run that gathers five octaves makes the point one
  * of a curve. Else the run with the largest sum of confidences decides between surface and solid; the samples
  * of a surface must lie near a plane, for the coarsest levels of a solid are a handful of samples that any
  * label fits. Pieces of different levels that share points of curves are one curve.
