@@ -144,7 +144,7 @@ TEST (LidarMap, IsTheStreetInCoordinatesOfTheFirstFrame)
   const LabelledCloud map = lidarMap (64, how), again = lidarMap (64, how);
   EXPECT_EQ (map.points, again.points);
   EXPECT_EQ (map.labels, again.labels);
-  EXPECT_NEAR (static_cast<double> (map.size ()), 30000.0, 4500.0);
+  EXPECT_NEAR (static_cast<double> (map.size ()), 30000.0, 3000.0);
   double error = 0.0, count = 0.0;
   for (std::size_t i = 0; i < map.size (); ++i) {
     const Vector3d& point = map.points[i];

@@ -4,6 +4,7 @@
 
 #include "../test_must_show_models.h"
 
+#include <app_error.h>
 #include <files/cloud_fields.h>
 #include <generate/lidar_sweeps.h>
 #include <generate/scenes.h>

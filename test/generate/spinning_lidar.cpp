@@ -41,7 +41,7 @@ sensorFor (int rings, int frames, const LidarSettings& settings)
     throw std::invalid_argument ("the noise of a lidar sweep must be 0 or more");
   SpinningLidar sensor = spinningLidar (rings);
   // Of all pulses, those that bring a point: as found for this scene.
-  const double returns = rings == 64 ? 0.86 : rings == 32 ? 0.8 : 0.75;
+  const double returns = rings == 64 ? 0.96 : rings == 32 ? 0.93 : 0.85;
   if (settings.points > 0)
     sensor.step = two_pi<double> () * rings * frames * returns / static_cast<double> (settings.points);
   return sensor;
