@@ -2,9 +2,9 @@
 #include "oracle_complex.h"
 #include "oracle_lattice.h"
 
-#include <pcl/manifold/detail/guarded.h>
 #include "common/parallel.h"
 #include "delaunay/flat_complex.h"
+#include <pcl/manifold/detail/guarded.h>
 
 #include <gtest/gtest.h>
 
