@@ -128,7 +128,7 @@ detectAtAllScales (const Eigen::Matrix3Xd& points, unsigned int threads)
   return answers;
 }
 
-Answers
+LevelAnswers
 detectAtOneLevel (const Eigen::Matrix3Xd& points, double thin_distance, unsigned int threads)
 {
   DimensionParameters parameters;
@@ -136,15 +136,19 @@ detectAtOneLevel (const Eigen::Matrix3Xd& points, double thin_distance, unsigned
   parameters.thinning.distance = thin_distance;
   StageLog log;
   std::shared_ptr<const pcl::manifold::SampleDimensions> found;
-  Answers answers;
+  LevelAnswers answers;
   const auto start = std::chrono::steady_clock::now ();
   if (pcl::manifold::detectDimensions (points, {}, pcl::manifold::FLOAT_RESOLUTION, parameters, log, found) !=
       Status::OK)
     return answers;
-  answers.seconds = secondsSince (start);
-  for (const std::int32_t sample : found->complex->samples->sample_of)
-    answers.dimension.push_back (sample < 0 ? 0
-                                            : found->manifold_dimension[static_cast<std::size_t> (sample)]);
+  answers.published.seconds = answers.manifold.seconds = secondsSince (start);
+  const auto label = [] (const std::vector<std::uint8_t>& labels, std::int32_t sample) {
+    return sample < 0 ? std::uint8_t{0} : labels[static_cast<std::size_t> (sample)];
+  };
+  for (const std::int32_t sample : found->complex->samples->sample_of) {
+    answers.published.dimension.push_back (label (found->dimension, sample));
+    answers.manifold.dimension.push_back (label (found->manifold_dimension, sample));
+  }
   return answers;
 }
 

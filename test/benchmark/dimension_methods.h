@@ -40,8 +40,14 @@ double medianSpacing (const Eigen::Matrix3Xd& points);
 /** \brief DimensionDetection with nothing set. */
 Answers detectAtAllScales (const Eigen::Matrix3Xd& points, unsigned int threads);
 
-/** \brief DimensionDetection at one level.
- * \param[in] thin_distance as of its setThinningDistance (), 0 = the published method on the points themselves */
-Answers detectAtOneLevel (const Eigen::Matrix3Xd& points, double thin_distance, unsigned int threads);
+/** \brief What DimensionDetection says at one level: the label as published, which takes rims for curves, and that
+ * of the manifold. */
+struct LevelAnswers
+{
+  Answers published, manifold;
+};
+
+/** \param[in] thin_distance as of setThinningDistance (), 0 = of the points themselves */
+LevelAnswers detectAtOneLevel (const Eigen::Matrix3Xd& points, double thin_distance, unsigned int threads);
 
 } // namespace evaluate
