@@ -63,7 +63,7 @@ setUp (const Request& request, const InputCloud& input, pcl::DimensionDetection<
   if (!request.origin.empty ())
     detection.setSensorOrigin (Eigen::Vector3d (request.origin[0], request.origin[1], request.origin[2]) -
                                shift);
-  else if (!(viewpoint + shift).isZero (0.0))
+  else if (request.scales.empty () && !(viewpoint + shift).isZero (0.0))
     detection.setSensorOrigin (viewpoint);
 }
 
@@ -149,6 +149,8 @@ run (const Request& request)
     throw UsageError ("-only", "'" + request.only + "' is neither vertical nor horizontal");
   if (request.published && !(request.scales.empty () && request.origin.empty () && request.only.empty ()))
     throw UsageError ("-published", "does not go together with -scale, -origin and -only");
+  if (!request.scales.empty () && !request.origin.empty ())
+    throw UsageError ("-scale", "does not go together with -origin");
   checkWritable (request.output);
   request.options.checkReport ();
   const Picture picture (common.picture);

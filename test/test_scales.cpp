@@ -70,6 +70,11 @@ TEST (Scales, RefuseRangesAndOriginsThatAreNone)
     run.object.setSensorOrigin ({0.0, wrong, 0.0});
     expectFailure (run, Status::PARAMETER_OUT_OF_RANGE);
   }
+  Detection both;
+  both.object.setInputCloud (cloudOf (torusAndKnot ()));
+  both.object.setSensorOrigin ({0.0, 0.0, 0.0});
+  both.object.setScaleRange (0.1, 1.0);
+  expectFailure (both, Status::PARAMETER_OUT_OF_RANGE);
   // On a point, and far away, are places as any.
   for (const Eigen::Vector3d& place :
        {Eigen::Vector3d (torusAndKnot ().front ().cast<double> ()), Eigen::Vector3d (1e9, 0.0, 0.0)}) {

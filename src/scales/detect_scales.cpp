@@ -25,6 +25,9 @@ namespace {
 bool
 areValid (const ScaleParameters& scales)
 {
+  // The scales of a frame are those of its beams, which differ from place to place.
+  if (scales.sensor_origin && (scales.from > 0.0 || scales.to > 0.0))
+    return false;
   return std::isfinite (scales.from) && std::isfinite (scales.to) && scales.from >= 0.0 && scales.to >= 0.0 &&
          (scales.to == 0.0 || scales.from <= scales.to) &&
          (!scales.sensor_origin || scales.sensor_origin->allFinite ());

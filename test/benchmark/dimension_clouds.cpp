@@ -1,7 +1,5 @@
 #include "dimension_clouds.h"
 
-#include "app_error.h"
-
 #include "../test_must_show_models.h"
 
 #include <app_error.h>

@@ -89,7 +89,8 @@ public:
   /** \brief Which scales to ask at: a trunk is a surface at 2 cm and a curve at half a metre.
    * \param[in] from the finest spacing, in the unit of the cloud
    * \param[in] to the coarsest one; 0 and 0 (the default) for from the spacing of the points to an eighth of the
-   * extent. Negative, not finite or upside down ends in PARAMETER_OUT_OF_RANGE */
+   * extent. Negative, not finite or upside down ends in PARAMETER_OUT_OF_RANGE,
+   * and so does a range together with setSensorOrigin (); the cloud's own origin is not looked at then */
   void setScaleRange (double from, double to)
   {
     scale_parameters_.from = from;

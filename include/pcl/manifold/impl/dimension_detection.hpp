@@ -54,7 +54,8 @@ pcl::DimensionDetection<PointT>::detect (manifold::StageLog& log)
   }
   manifold::ScaleParameters scales = scale_parameters_;
   const Eigen::Vector3d own = input_->sensor_origin_.template head<3> ().template cast<double> ();
-  if (!scales.sensor_origin && own.allFinite () && !own.isZero (0.0))
+  const bool asked = scales.from > 0.0 || scales.to > 0.0;
+  if (!scales.sensor_origin && !asked && own.allFinite () && !own.isZero (0.0))
     scales.sensor_origin = own;
   status = manifold::detectScales (points, *indices_, manifold::FLOAT_RESOLUTION, parameters, scales, log,
                                    persistent_);
