@@ -2,9 +2,8 @@
 
 #include "common/parallel.h"
 #include "complex/disjoint_sets.h"
+#include "scales/local_spread.h"
 #include "voronoi/nearest_samples.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
@@ -64,32 +63,27 @@ spreadOf (const SampleDimensions& dimensions, double spacing)
     for (std::size_t i = begin; i < end; ++i) {
       const auto sample = static_cast<std::int32_t> (i);
       std::array<std::int32_t, NEIGHBORS>& near = spread.near[i];
-      int count = 0;
-      Eigen::Vector3d mean = Eigen::Vector3d::Zero ();
-      Eigen::Matrix3d moments = Eigen::Matrix3d::Zero ();
+      LocalSpread around;
       near.fill (-1);
       for (const std::int32_t q : nearest.find (sample, NEIGHBORS)) {
         const Eigen::Vector3d to = points.col (q) - points.col (sample);
         if (to.norm () > reach)
           break;
-        near[count++] = q;
-        mean += to;
-        moments += to * to.transpose ();
+        near[around.count ()] = q;
+        around.add (to);
       }
+      const int count = around.count ();
       if (count == 0)
         continue;
-      mean /= count + 1;
-      const Eigen::Matrix3d covariance = moments / (count + 1) - mean * mean.transpose ();
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (covariance);
-      const Eigen::Vector3d sigma = solver.eigenvalues ().cwiseMax (0.0).cwiseSqrt (); // ascending
-      spread.direction.col (sample) = solver.eigenvectors ().col (2).cast<float> ();
-      const double linear = sigma[2] > 0.0 ? (sigma[2] - sigma[1]) / sigma[2] : 0.0;
+      around.solve ();
+      spread.direction.col (sample) = around.direction ().cast<float> ();
+      const double linear = around.linearity ();
       const bool published = dimensions.dimension[i] == 1;
       if (dimensions.manifold_dimension[i] == 1 || (published && count >= 2 && linear > SURELY_LINEAR))
         spread.grade[i] = SURE;
       else if (published || (count >= 2 && linear > PERHAPS_LINEAR))
         spread.grade[i] = DOUBTFUL;
-      spread.flat[i] = count >= FEWEST_OF_PLANE && sigma[0] < FLATNESS * sigma[1] ? 1 : 0;
+      spread.flat[i] = count >= FEWEST_OF_PLANE && around.sigma ()[0] < FLATNESS * around.sigma ()[1] ? 1 : 0;
     }
   };
   parallelRanges (n, look, std::max<std::size_t> (1024, n / 64));

@@ -1,9 +1,9 @@
 #include "scales/sensor_coordinates.h"
 
 #include "common/parallel.h"
+#include "scales/local_spread.h"
 #include "scales/scale_ladder.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -84,22 +84,14 @@ hasRings (const Eigen::Matrix3Xd& points, const std::vector<pcl::index_t>& neigh
     if (!(around.norm () > 0.0))
       continue;
     ++asked;
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero ();
-    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero ();
-    for (int k = 0; k < NEAREST; ++k) {
-      const Eigen::Vector3d to =
-        points.col (neighbors[static_cast<std::size_t> (i) * NEAREST + k]) - points.col (i);
-      mean += to;
-      moments += to * to.transpose ();
-    }
-    mean /= NEAREST + 1;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver (moments / (NEAREST + 1) -
-                                                                 mean * mean.transpose ());
-    const Eigen::Vector3d sigma = solver.eigenvalues ().cwiseMax (0.0).cwiseSqrt ();
-    if (!(sigma[2] > 0.0) || (sigma[2] - sigma[1]) / sigma[2] <= LINEAR)
+    LocalSpread spread;
+    for (int k = 0; k < NEAREST; ++k)
+      spread.add (points.col (neighbors[static_cast<std::size_t> (i) * NEAREST + k]) - points.col (i));
+    spread.solve ();
+    if (spread.linearity () <= LINEAR)
       continue;
     ++lines;
-    const Eigen::Vector3d direction = solver.eigenvectors ().col (2);
+    const Eigen::Vector3d& direction = spread.direction ();
     const double rise = std::abs (direction.dot (seen.cross (around).normalized ()));
     if (rise < LEVEL * std::abs (direction.dot (around.normalized ())))
       ++level;
